@@ -39,6 +39,7 @@ MotionInput physical_motion(const Settings& settings, Command command, bool from
   isolator.stiffness_n_per_m = settings.number("stiffness");
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
+  isolator.inches = settings.in_inches();
   const double x0_m = settings.number("x0-m").value_or(0);
   const double velocity =
       x0_m != 0 || from_rest

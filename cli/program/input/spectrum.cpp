@@ -44,6 +44,7 @@ report::SpectrumReport spectrum_input(const Settings& given) {
   isolator.period_s = list.back();
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
+  isolator.inches = settings.in_inches();
   report::SpectrumReport report{{}, design::physical_input(isolator, 0, 0)};
   const design::Scales& scales = report.physical.scales;
   design::SpectrumRequest& request = report.result.request;

@@ -224,6 +224,12 @@ InputError Settings::as_given(const InputError& error) const {
   return error;
 }
 
+bool Settings::in_inches() const {
+  return std::ranges::any_of(entries_, [](const auto& each) {
+    return records::is_customary(each.second.with_unit.value_or(""));
+  });
+}
+
 double Settings::required(std::string_view name, std::string_view hint) const {
   if (const auto value = number(name)) {
     return *value;

@@ -93,6 +93,9 @@ class Settings {
   [[nodiscard]] bool flag(std::string_view name) const { return get<bool>(name).value_or(false); }
   [[nodiscard]] std::optional<Axis> axis(std::string_view name) const { return get<Axis>(name); }
 
+  /// Whether any value was given in inches, feet or pounds.
+  [[nodiscard]] bool in_inches() const;
+
   /// A number; throws InputError if not set, with `hint` on what to give.
   [[nodiscard]] double required(std::string_view name, std::string_view hint) const;
 

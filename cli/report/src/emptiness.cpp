@@ -40,7 +40,7 @@ Way way_of(const design::Mend& mend, const Physical& physical, const design::Lim
   const Unit unit = now.unit == "m"
                         ? Unit{units_of(physical).length.factor / physical->scales.length_m,
                                units_of(physical).length.name}
-                        : Unit{1, std::string(now.unit)};
+                        : read_in(physical, now.unit, now.value);
   // The longest period is that of the softest spring, the least p.
   return {of_range(mend.field, now.name, now.upwards != mend.upwards),
           format("at {} {}{}", now.upwards ? "least" : "most",

@@ -51,7 +51,7 @@ void add_answer(Section& answer, const MotionReport& report) {
     const auto joules =
         physical ? physical->scales.energy_per_passage_j(energies->friction) : std::nullopt;
     answer.row("energy", format("friction takes {} over a path of {}",
-                                joules ? with_unit(*joules, "J", usual_digits)
+                                joules ? si_words(physical, *joules, "J", usual_digits)
                                        : units_of(physical).energy.words(energies->friction),
                                 length_shown(physical, energies->slip_path)));
   }

@@ -17,12 +17,12 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
                                          : "";
   const std::string friction = !f                   ? "as little constant friction as possible"
                                : weighed && *f == 0 ? "no constant friction"
-                               : weighed ? "a friction force of " + with_unit(*force, "N")
+                               : weighed ? "a friction force of " + si_words(physical, *force, "N")
                                : digits  ? format("f = {:.{}g}", *f, *digits)
                                          : format("f = {}", *f);
   const std::string notch =
       format("a notch{}{} takes {} at a passage", which, shape.hold ? " and" : " that",
-             weighed ? with_unit(*energy, "J") : "");
+             weighed ? si_words(physical, *energy, "J") : "");
   return delta == 0          ? friction + " without a notch"
          : weighed && f == 0 ? notch + ", without constant friction"
          : weighed           ? format("{} and {}", friction, notch)
@@ -32,7 +32,7 @@ std::string damper_words(const Physical& physical, const std::optional<double>& 
 
 std::string force_beside(const Physical& physical, double f) {
   const auto force = physical ? physical->scales.friction_force_n(f) : std::nullopt;
-  return force ? format(" ({} of friction)", with_unit(*force, "N")) : "";
+  return force ? format(" ({} of friction)", si_words(physical, *force, "N")) : "";
 }
 
 std::string period_words(const Physical& physical, double p, std::optional<int> digits) {
@@ -49,7 +49,7 @@ std::string spring_words(const Physical& physical, double p, std::optional<int> 
     stiffness = scales.stiffness_n_per_m();
   }
   return period_words(physical, p, digits) +
-         (stiffness ? format(" (stiffness {})", with_unit(*stiffness, "N/m")) : "");
+         (stiffness ? format(" (stiffness {})", si_words(physical, *stiffness, "N/m")) : "");
 }
 
 std::string_view jumps_words(double delta, const std::optional<double>& width) {
@@ -80,14 +80,20 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
   };
   const auto works = physical ? physical_works_for(physical->scales, *served)
                               : design::PhysicalWorksFor{served->hit, served->p};
+  const Unit speed = read_in(physical, "m/s");
+  const auto of_speed = [&](design::ServedInterval interval) {
+    interval.low = interval.low * speed;
+    interval.high = *interval.high * speed;
+    return interval_text(interval);
+  };
   using enum design::ServedLoad;
   section.row(
       "works for",
       served->load == k ? format("k of {} g{}", interval_text(served->hit), more(served->hit))
       : served->load == scale
           ? format("{} times the loads{}", interval_text(served->hit), more(served->hit))
-          : format("{} of {}{}{}", physical ? "hits" : "v0", interval_text(works.velocity_m_per_s),
-                   physical ? " m/s" : "", more(served->hit)));
+          : format("{} of {}{}{}", physical ? "hits" : "v0", of_speed(works.velocity_m_per_s),
+                   physical ? with_blank(speed.name) : "", more(served->hit)));
   section.row("", format("{} of {}{}{}, {}the other as given", physical ? "periods" : "p",
                          interval_text(works.period_s), physical ? " s" : "", more(served->p),
                          served->p.ends_search ? "" : "each with "));

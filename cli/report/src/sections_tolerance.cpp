@@ -56,18 +56,21 @@ void add_buildable(Section& answer, const Physical& physical, const Interval& f,
     return;
   }
   // In the unit in which the largest has one to three digits before the point.
-  const auto words = [](std::string_view what, const Interval& of, double si,
-                        std::string_view unit) -> std::string {
+  const auto words = [&](std::string_view what, const Interval& of, double si,
+                         std::string_view unit) -> std::string {
     const double most = of.high * si;
-    const auto [factor, sign] = most >= 1e6   ? std::pair(1e-6, "M")
-                                : most >= 1e3 ? std::pair(1e-3, "k")
-                                : most >= 1   ? std::pair(1.0, "")
-                                              : std::pair(1e3, "m");
-    return most == 0 ? ""
-           : of.low < of.high
-               ? format("{} {} {}{}", what, interval_digits(of.low * si * factor, most * factor),
-                        sign, unit)
-               : format("{} {}", what, with_unit(most, unit, usual_digits));
+    if (!(of.low < of.high)) {
+      return most == 0 ? "" : format("{} {}", what, si_words(physical, most, unit, usual_digits));
+    }
+    Unit read = read_in(physical, unit, most);
+    if (read.name == unit) {
+      const auto [factor, sign] = most >= 1e6   ? std::pair(1e-6, "M")
+                                  : most >= 1e3 ? std::pair(1e-3, "k")
+                                  : most >= 1   ? std::pair(1.0, "")
+                                                : std::pair(1e3, "m");
+      read = {factor, format("{}{}", sign, unit)};
+    }
+    return format("{} {} {}", what, interval_digits(of.low * si * read, most * read), read.name);
   };
   const design::Scales& scales = physical->scales;
   const std::string friction = words("friction", f, *scales.friction_force_n(1), "N");

@@ -47,7 +47,8 @@ Column column(std::string_view name, const Unit& unit, double value, const Inter
 Unit friction_unit(const Physical& physical) {
   return !physical            ? Unit{}
          : has_mass(physical) ? units_of(physical).force
-                              : Unit{physical->scales.gravity_m_per_s2, "m/s²"};
+                              : Unit{physical->scales.gravity_m_per_s2 * read_in(physical, "m/s²"),
+                                     read_in(physical, "m/s²").name};
 }
 
 Table damper_table(const Specified& of) {

@@ -21,8 +21,12 @@ Unit stiffness_unit(const Physical& physical) {
   }
   const design::Scales& scales = physical->scales;
   const double per_mass = scales.gravity_m_per_s2 / scales.length_m;
-  return has_mass(physical) ? Unit{1e-3 * *scales.mass_kg * per_mass, "kN/m"}
-                            : Unit{per_mass, "1/s²"};
+  if (!has_mass(physical)) {
+    return {per_mass, "1/s²"};
+  }
+  const double stiffness = *scales.mass_kg * per_mass;
+  const Unit read = physical->inches ? read_in(physical, "N/m", stiffness) : Unit{1e-3, "kN/m"};
+  return {stiffness * read, read.name};
 }
 
 /// A figure of each case.
@@ -110,7 +114,8 @@ void specify_practice(Document& sheet, const Specified& of) {
   const auto impulse = [&](double speed) {
     const auto of_mass = of.physical ? of.physical->scales.impulse_n_s(speed) : std::nullopt;
     constexpr int few = 4;
-    return of_mass ? with_unit(*of_mass, "N s", few) : units.velocity.words(speed) + " per mass";
+    return of_mass ? si_words(of.physical, *of_mass, "N s", few)
+                   : units.velocity.words(speed) + " per mass";
   };
   if (now.impulse_at_stop && now.impulse_largest) {
     section.row("impulse", format("{} at the stop, at most {}", impulse(*now.impulse_at_stop),

@@ -2,7 +2,11 @@
 #include "units.hpp"
 #include "format.hpp"
 
+#include <stillpoint/records/units.hpp>
 #include <stillpoint/report/digits.hpp>
+
+#include <array>
+#include <cmath>
 
 namespace stillpoint::report {
 
@@ -12,7 +16,7 @@ std::string with_blank(const std::string& unit) {
 
 std::string length_shown(const Physical& physical, double length, std::optional<int> digits) {
   return physical && length != 0
-             ? with_unit(length * physical->scales.length_m, "m", digits.value_or(5))
+             ? si_words(physical, length * physical->scales.length_m, "m", digits.value_or(5))
              : format("{:.{}g}", length, digits.value_or(6));
 }
 
@@ -35,7 +39,7 @@ std::string figure_shown(const Physical& physical, Dimension dimension, double v
   constexpr double least_m = 1e-6;  // the least that a report tells from 0
   const bool length = dimension == Dimension::length;
   return length && physical && value > 0 && value * physical->scales.length_m < least_m
-             ? "less than " + with_unit(least_m, "m")
+             ? "less than " + si_words(physical, least_m, "m", 1)
          : length                            ? length_shown(physical, value)
          : dimension == Dimension::time      ? time_shown(physical, value)
          : dimension == Dimension::velocity  ? units_of(physical).velocity.words(value)
@@ -64,6 +68,36 @@ std::string in(std::string_view name, const Unit& unit) {
 
 namespace {
 
+/// What is read in place of an SI unit: the larger one where a value has more than one of it.
+struct Customary {
+  std::string_view si;
+  std::string_view name;
+  Dimension dimension;
+  std::string_view measure{name};  ///< of that dimension
+};
+constexpr std::array customary{Customary{"m", "in", Dimension::length},
+                               Customary{"m/s", "in/s", Dimension::velocity},
+                               Customary{"m/s²", "in/s²", Dimension::acceleration, "in/s2"},
+                               Customary{"N/m", "kip/in", Dimension::stiffness},
+                               Customary{"N/m", "lbf/in", Dimension::stiffness},
+                               Customary{"N", "kip", Dimension::force},
+                               Customary{"N", "lbf", Dimension::force},
+                               Customary{"N s", "kip s", Dimension::force, "kip"},
+                               Customary{"N s", "lbf s", Dimension::force, "lbf"},
+                               Customary{"J", "kip-in", Dimension::energy},
+                               Customary{"J", "lbf-in", Dimension::energy}};
+
+std::optional<Unit> in_inches(std::string_view si, double most) {
+  std::optional<Unit> read;
+  for (const Customary& now : customary) {
+    if (now.si == si && !(read && most * *read >= 1)) {
+      const double one = records::parse_value("", now.dimension, format("1{}", now.measure));
+      read = Unit{1 / one, std::string(now.name)};
+    }
+  }
+  return read;
+}
+
 /// In the unit in which it has digits before the point.
 Unit in_joules(double energy) {
   return energy >= 1e3 ? Unit{1e-3 * energy, "kJ"}
@@ -78,6 +112,17 @@ Unit in_newtons(double weight) {
 
 }  // namespace
 
+Unit read_in(const Physical& physical, std::string_view unit, double most) {
+  const Unit same{1, std::string(unit)};
+  return physical && physical->inches ? in_inches(unit, most).value_or(same) : same;
+}
+
+std::string si_words(const Physical& physical, double value, std::string_view unit, int digits) {
+  const Unit read = read_in(physical, unit, std::abs(value));
+  return read.name == unit ? with_unit(value, unit, digits)
+                           : format("{:.{}g} {}", value * read, digits, read.name);
+}
+
 FigureUnits units_of(const Physical& physical) {
   if (!physical) {
     return {};
@@ -85,6 +130,18 @@ FigureUnits units_of(const Physical& physical) {
   const design::Scales& scales = physical->scales;
   const double speed = scales.velocity_m_per_s;
   const double energy = speed * speed * scales.mass_kg.value_or(1);
+  if (physical->inches) {
+    const auto read = [&](std::string_view unit, double scale) {
+      const Unit now = read_in(physical, unit, scale);
+      return Unit{scale * now, now.name};
+    };
+    const double inches = read("m/s", speed).factor;
+    return {.length = read("m", scales.length_m),
+            .time = {scales.time_s, "s"},
+            .velocity = {inches, "in/s"},
+            .energy = scales.mass_kg ? read("J", energy) : Unit{inches * inches, "in²/s²"},
+            .force = scales.mass_kg ? read("N", *scales.friction_force_n(1)) : Unit{}};
+  }
   return {.length =
               scales.length_m > 10 ? Unit{scales.length_m, "m"} : Unit{scales.length_m * 1e3, "mm"},
           .time = {scales.time_s, "s"},

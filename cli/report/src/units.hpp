@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Metres and seconds beside dimensionless numbers, if the input was given in them.
+// Metres and seconds beside dimensionless numbers, if the input was given in them; inches, pounds
+// and kips where any of it was.
 
 #include <stillpoint/core/field.hpp>
 #include <stillpoint/design/physical.hpp>
@@ -32,6 +33,9 @@ using Physical = std::optional<design::PhysicalInput>;
                                  double limit);
 /// " mm" behind a number; nothing without a unit.
 [[nodiscard]] std::string with_blank(const std::string& unit);
+/// A value in that SI unit with a prefix, or as it is read in inches: "8.1 kN", "1.82 kip".
+[[nodiscard]] std::string si_words(const Physical& physical, double value, std::string_view unit,
+                                   int digits = 5);
 
 /// What people read numbers in: "mm", of which a dimensionless one has so many.
 struct Unit {
@@ -46,6 +50,8 @@ struct Unit {
 }
 /// "peak, mm"; the name alone without a unit.
 [[nodiscard]] std::string in(std::string_view name, const Unit& unit);
+/// An SI unit, or what is read in its place, for values up to `most`.
+[[nodiscard]] Unit read_in(const Physical& physical, std::string_view unit, double most = 1);
 
 /// The units of figures and tables, and the labels of axes.
 struct FigureUnits {
@@ -58,7 +64,7 @@ struct FigureUnits {
   std::string delta_label{in("point friction Δ", length)};
   std::string x_label{in("displacement x", length)};
   std::string time_label{time.name.empty() ? "time τ" : "time, s"};
-  std::string velocity_label{velocity.name.empty() ? "velocity x′" : "velocity, m/s"};
+  std::string velocity_label{velocity.name.empty() ? "velocity x′" : in("velocity", velocity)};
   std::string energy_label{in("energy", energy)};
   std::string force_label{force.name.empty() ? "force / weight" : in("force", force)};
 

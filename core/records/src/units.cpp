@@ -186,6 +186,13 @@ bool has_unit(std::string_view text) {
   return parts && !parts->unit.empty();
 }
 
+bool is_customary(std::string_view text) {
+  const auto parts = divided(text);
+  return parts &&
+         std::ranges::any_of(std::array<std::string_view, 4>{"in", "ft", "lb", "kip"},
+                             [&](std::string_view unit) { return parts->unit.starts_with(unit); });
+}
+
 bool has_unit(std::string_view text, Dimension dimension) {
   const auto parts = divided(text);
   const std::vector<Unit> units = units_of(dimension);

@@ -179,29 +179,23 @@ Finding lock_of(const ForcedResponse& motion, double load_end) {
       .add("load_end", load_end, Dimension::time);
 }
 
-Finding no_notch(double width, double peak) {
-  return Finding(no_notch_works)
-      .add("least_width", std::isfinite(width) ? std::optional(width) : std::nullopt,
-           Dimension::length)
+Finding no_notch(double width, double peak, double searched_delta) {
+  const bool some = std::isfinite(width);
+  Finding finding(no_notch_works);
+  finding.add("least_width", some ? std::optional(width) : std::nullopt, Dimension::length)
       .add("peak_amplitude", peak, Dimension::length);
-}
-
-void propose_delta(Finding& finding, double delta) {
-  const auto value = [&](std::string_view name) {
-    const auto found = std::ranges::find(finding.values, name, &FindingValue::name);
-    return found == finding.values.end() ? 0 : std::get<double>(found->value);
-  };
-  if (const double width = value("least_width"); finding.kind == no_notch_works && width > 0) {
-    finding.add("proposed", delta * value("peak_amplitude") / width, Dimension::length);
+  if (some && searched_delta > 0) {
+    finding.add("proposed", searched_delta * peak / width, Dimension::length);
   }
+  return finding;
 }
 
 Finding late_notch(const Oscillator& damper, const Excitation& pulse, double least_load,
-                   double peak, double rest) {
+                   double peak, double rest, bool searched) {
   const double least = least_width(damper.breakaway * damper.f, damper.delta, least_load);
   const double most = 2 * peak;
   if (least >= most) {
-    return no_notch(least, peak);
+    return no_notch(least, peak, searched ? damper.delta : 0);
   }
   constexpr int widths = 24;
   for (int i = 1; i <= widths; ++i) {  // the widest first, which is felt least

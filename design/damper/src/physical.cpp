@@ -124,7 +124,8 @@ PhysicalInput physical_input(const PhysicalIsolator& isolator, double velocity_m
           .velocity_m_per_s = velocity_m_per_s,
           .period_s = 2 * std::numbers::pi / scales.omega_rad_per_s,
           .by_stiffness = isolator.stiffness_n_per_m.has_value(),
-          .by_frequency = isolator.natural_frequency_hz.has_value()};
+          .by_frequency = isolator.natural_frequency_hz.has_value(),
+          .inches = isolator.inches};
 }
 
 double largest_p(const PhysicalInput& physical, const Interval& range) {

@@ -13,7 +13,9 @@ class FixedStep {
   static constexpr bool locates_events = false;
   static constexpr bool has_dense_output = false;
 
-  explicit FixedStep(double step) : step_(step) {}
+  /// `before` up to `change`, then `step`.
+  FixedStep(double step, double before, double change)
+      : step_(before), later_(step), change_(change) {}
 
   template <class AnyMotion>
   void begin(const AnyMotion& motion, double t, const State& state) {
@@ -29,6 +31,11 @@ class FixedStep {
   Step step(const AnyMotion& motion, double limit) {
     before_ = now_;
     from_ = state_;
+    if (step_ != later_ && now_ >= change_) {
+      step_ = later_;
+      grid_ = now_;
+      count_ = 0;
+    }
     count_ += 1;
     now_ = grid_ + count_ * step_;
     if (now_ > limit - sliver * step_) {
@@ -73,6 +80,8 @@ class FixedStep {
   }
 
   double step_;
+  double later_;
+  double change_;
   double grid_{0};
   double count_{0};
   double before_{0};
@@ -85,8 +94,9 @@ class FixedStep {
 
 }  // namespace
 
-Result runge_kutta4(const Scene& scene, double step, std::int64_t most) {
-  FixedStep method(step);
+Result runge_kutta4(const Scene& scene, double step, std::int64_t most,
+                    const std::optional<double>& under_load) {
+  FixedStep method(step, under_load.value_or(step), duration(scene.excitation).value_or(0));
   return run_events(scene, method, most);
 }
 

@@ -328,6 +328,23 @@ BOOST_AUTO_TEST_CASE(a_pulse_must_overcome_the_friction_that_holds) {
   BOOST_TEST(!judged.constraints.back().satisfied);
 }
 
+// Its friction is some part of the little speed that it leaves, and the check takes steps within
+// it.
+BOOST_AUTO_TEST_CASE(a_pulse_may_be_far_shorter_than_the_period) {
+  constexpr double long_ago = 1000;  // lambda over p
+  RecordDesignRequest request = under_hit({0.05, 0.05}, 3);
+  request.cases.front().v0.reset();
+  for (const double lambda : {20.0, long_ago}) {
+    for (const Pulse& pulse : {Pulse(HalfSine{1, lambda}), Pulse(FullSine{1, lambda})}) {
+      request.cases.front().pulse = pulse;
+      const RecordDesign found = design::design(request);
+      BOOST_TEST_REQUIRE(found.finding.has_value());
+      BOOST_TEST(*found.largest_tolerance > 0.4);  // of a hit with the same damping
+      BOOST_TEST(found.finding->cross_check.passed);
+    }
+  }
+}
+
 // More friction would hold the mass anywhere within its stroke: a brake.
 BOOST_AUTO_TEST_CASE(a_residual_asks_for_no_brake) {
   RecordDesignRequest request = under_hit({1e-9, 1e-9}, 0.9);
@@ -346,6 +363,40 @@ BOOST_AUTO_TEST_CASE(a_residual_asks_for_no_brake) {
       std::ranges::find(brake.constraints, std::string_view("dead_zone"), &Constraint::name);
   BOOST_REQUIRE((held != brake.constraints.end()));
   BOOST_TEST(!held->satisfied);
+}
+
+/// However small it is, and so the friction whose dead zone it allows.
+BOOST_AUTO_TEST_CASE(a_residual_only_loosens) {
+  RecordDesignRequest request = under_hit({0.01, 0.01}, 1.2);
+  const auto strict = design::design(request).largest_tolerance;
+  BOOST_TEST_REQUIRE(strict.has_value());
+  for (const double residual : {1e-4, 0.02}) {
+    request.cases.front().limits.residual = residual;
+    const auto loose = design::design(request).largest_tolerance;
+    BOOST_TEST_CONTEXT("residual " << residual) {
+      BOOST_TEST_REQUIRE(loose.has_value());
+      BOOST_TEST(*loose >= *strict - of_searched_tolerance);
+    }
+  }
+}
+
+/// Nor does what would do depend on how far a limit is from it.
+BOOST_AUTO_TEST_CASE(the_least_stroke_of_a_range_is_found_from_any_limit) {
+  constexpr double of_limit = 1e-2;
+  const auto least_beta = [](double beta) {
+    RecordDesignRequest request = under_hit({0.05, 0.05}, beta);
+    request.cases.front().weakest = 0.8;
+    request.cases.front().combine = Combine::max;
+    request.objective = SuiteObjective::amplitude;
+    const RecordDesign result = design::design(request);
+    const auto mend = std::ranges::find(result.mends, "beta", &Mend::field);
+    return mend == result.mends.end() ? 0 : mend->value;
+  };
+  const double near = least_beta(0.72);
+  BOOST_TEST(near > 0.72);
+  for (const double beta : {0.2, 0.385}) {
+    BOOST_TEST(std::abs(least_beta(beta) / near - 1) <= of_limit);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

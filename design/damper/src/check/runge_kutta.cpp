@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <variant>
 
 namespace stillpoint::design {
 
@@ -106,8 +108,13 @@ SuiteFigures integrate_to_rest(const Oscillator& oscillator, const Surface& surf
                                const Excitation& load, const Start& start) {
   const double p = oscillator.p;
   const double t_end = duration(load).value_or(0) + most_suite_half_cycles * pi / p;
-  const peers::Result result = peers::runge_kutta4({oscillator, start, load, t_end, surface},
-                                                   phase_step / p, peers::any_effort);
+  const double step = phase_step / p;
+  std::optional<double> under_load;  // a record has steps of its own
+  if (const auto length = duration(load); length > 0.0 && !std::holds_alternative<Record>(load)) {
+    under_load = std::min(step, phase_step * *length);
+  }
+  const peers::Result result = peers::runge_kutta4({oscillator, start, load, t_end, surface}, step,
+                                                   peers::any_effort, under_load);
   return {.peak = result.peak,
           .acceleration = std::max(result.acceleration, largest_load_after(load, result.end_time)),
           .residual = std::abs(result.x),

@@ -120,16 +120,14 @@ void add_motions(std::vector<Finding>& all, const RecordDesign& result, std::siz
   if (load_case.pulse && damper.delta > 0 && damper.width == 0 && !result.request.hold && moves) {
     const double peak = responses.front().peak_amplitude;
     const double residual = load_case.limits.residual.value_or(0);
-    Finding late =
+    const Finding late =
         late_notch(oscillator_of(result.request, damper), excitation(*load_case.pulse),
                    (load_case.weakest > 0 ? load_case.weakest : 1) * peak_load(*load_case.pulse),
-                   peak, residual > 0 ? residual : rest_share * peak);
-    if (!result.request.judges && !result.request.delta_max) {
-      propose_delta(late, damper.delta);
-    }
+                   peak, residual > 0 ? residual : rest_share * peak,
+                   !result.request.judges && !result.request.delta_max);
     if (result.finding->admissible) {
       Finding& added = add(all, late.kind, load_case);
-      std::ranges::move(late.values, std::back_inserter(added.values));
+      std::ranges::copy(late.values, std::back_inserter(added.values));
     }
   }
   // After a hit, as everywhere in the paper, it does at every notch.

@@ -43,7 +43,6 @@ std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest
   if (task.tolerance.exact()) {
     task.tolerance.f = task.tolerance.delta = usual_shape;
   }
-  constexpr double whole = 0.95;  // no part is off by all of itself
   constexpr int halvings = 12;
   constexpr double shrinkage = 0.99;
   const SuiteTolerance& of = task.tolerance;
@@ -58,7 +57,7 @@ std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest
     return space.possible() && admissible(search.tried(damper).box.worst, limits_of(task));
   };
   double low = 0;
-  double high = whole / below;
+  double high = most_off / below;
   for (int i = 0; i < halvings && !watch.stopped(); ++i) {
     const double middle = (low + high) / 2;
     (holds(middle, true) ? low : high) = middle;

@@ -72,26 +72,6 @@ void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
   }
 }
 
-/// The largest friction that may be of use: under more a load moves nothing, and a hit moves the
-/// mass by less than half of a limit.
-double most_friction(const LoadCase& load_case, const RecordDesignRequest& request) {
-  double most = peak_load(load_case, request.p.high) / (load_case.v0 ? 1 : request.breakaway);
-  for (const auto& limit : {load_case.limits.peak, load_case.limits.residual}) {
-    if (load_case.v0 && limit.value_or(0) > 0) {
-      most = std::max(most, *load_case.v0 * *load_case.v0 / *limit);
-    }
-  }
-  return most;
-}
-
-/// Where a hit that must come back turns with the largest friction that lets it, half of the
-/// spring's force, (4) of theory.md: damping only brings it nearer and allows less. 0 for other
-/// loads.
-double farthest_turn(const LoadCase& load_case, double p) {
-  const bool comes_back = load_case.v0 && load_case.limits.residual == 0.0;
-  return comes_back ? *load_case.v0 / (std::numbers::sqrt2 * p) : 0;
-}
-
 /// The largest |x| without a damper.
 double free_peak(const LoadCase& load_case, const RecordDesignRequest& request) {
   const double p = request.p.low;
@@ -106,6 +86,51 @@ double free_peak(const LoadCase& load_case, const RecordDesignRequest& request) 
                   .peak_amplitude);
   }
   return peak;
+}
+
+/// Where a hit that must come back turns with the largest friction that lets it, half of the
+/// spring's force, (4) of theory.md: damping only brings it nearer and allows less. 0 for other
+/// loads.
+double farthest_turn(const LoadCase& load_case, double p) {
+  const bool comes_back = load_case.v0 && load_case.limits.residual == 0.0;
+  return comes_back ? *load_case.v0 / (std::numbers::sqrt2 * p) : 0;
+}
+
+/// The largest friction that may be of use: under more a load moves nothing, or a hit moves the
+/// mass by less than half of its limit; nor does the mass come back where it must, after a pulse
+/// with more than the spring's force.
+double most_friction(const RecordDesignRequest& request) {
+  const double p = request.p.high;
+  double most = 0;
+  double comes_back = HUGE_VAL;
+  for (const LoadCase& each : request.cases) {
+    double now = peak_load(each, p) / (each.v0 ? 1 : request.breakaway);
+    if (each.v0 && each.limits.peak) {
+      now = std::max(now, *each.v0 * *each.v0 / *each.limits.peak);
+    }
+    most = std::max(most, now);
+    if (const double turn = farthest_turn(each, p); turn > 0) {
+      comes_back = std::min(comes_back, p * p * turn / 2);
+    } else if (each.pulse && each.limits.residual == 0.0) {
+      comes_back = std::min(comes_back, p * p * free_peak(each, request));
+    }
+  }
+  return std::min(most, comes_back);
+}
+
+/// The energy with which a mass may arrive.
+double most_delta(const RecordDesignRequest& request) {
+  double most = 0;
+  for (const LoadCase& each : request.cases) {
+    double peak =
+        each.of_records() && each.limits.peak ? *each.limits.peak : free_peak(each, request);
+    if (each.limits.peak) {
+      peak = std::min(peak, std::max(*each.limits.peak, farthest_turn(each, request.p.low)));
+    }
+    const double speed = request.p.high * peak;
+    most = std::max(most, speed * speed / 2 + peak_load(each, request.p.high) * peak);
+  }
+  return most;
 }
 
 void require_spread(const char* field, const Spread& spread) {
@@ -255,27 +280,12 @@ RecordDesignRequest completed(RecordDesignRequest request) {
     keep_below(request.f, request.f_max, "f-max");
     keep_below(request.delta, request.delta_max, "delta-max");
   }
-  double load = 0;
-  for (const LoadCase& each : request.cases) {
-    load = std::max(load, most_friction(each, request));
+  if (!request.f) {
+    request.f = Interval{0, most_friction(request)};
   }
-  for (const LoadCase& each : request.cases) {
-    if (const double turn = farthest_turn(each, request.p.high); turn > 0) {
-      load = std::min(load, request.p.high * request.p.high * turn / 2);
-    }
-  }
-  request.f = request.f.value_or(Interval{0, load});
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
-    double most = 0;
-    for (const LoadCase& each : request.cases) {
-      const double peak = each.limits.peak
-                              ? std::max(*each.limits.peak, farthest_turn(each, request.p.low))
-                              : free_peak(each, request);
-      const double speed = request.p.high * peak;
-      most = std::max(most, speed * speed / 2 + peak_load(each, request.p.high) * peak);
-    }
-    request.delta = Interval{0, most};
+    request.delta = Interval{0, most_delta(request)};
   }
   require_range("delta", *request.delta, 0, largest_square);
   if (!counts_the_notch(request) && !request.judges) {

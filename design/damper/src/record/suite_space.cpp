@@ -100,12 +100,12 @@ void SuiteSpace::add(SuiteAxis::Variable variable, Interval range, const Spread&
   if (range.high == 0) {
     return;
   }
-  if (range.low == 0) {
-    range.low = least_part_searched * range.high;
-  }
   const Spread spread =
       combined(always, {std::min(whole.below * scale, 1 - least_factor), whole.above * scale});
   range.high = std::min(range.high, most / (1 + spread.above));
+  if (range.low == 0) {
+    range.low = least_part_searched * range.high;
+  }
   possible_ = possible_ && range.low <= range.high;
   const SuiteAxis axis(variable, range, spread);
   if (axis.searched() || whole.below + whole.above + always.below + always.above > 0) {

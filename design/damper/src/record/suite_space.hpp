@@ -14,6 +14,9 @@ inline constexpr std::size_t most_axes = 6;
 /// Of a space, along its axes: logarithms, or parts of a tolerance from -1 to 1.
 using SuitePlace = std::array<double, most_axes>;
 
+/// No part is off by more of itself, of tolerances that grow.
+inline constexpr double most_off = 0.95;
+
 enum class SuiteFrictions { constant, point, both };
 [[nodiscard]] SuiteFrictions frictions_of(const SuiteDamper& damper);
 

@@ -143,9 +143,8 @@ class TaskSearch {
     return found;
   }
 
-  /// On the maps that there are, or looked for by itself. No part is off by all of itself.
+  /// On the maps that there are, or looked for by itself.
   std::optional<LargestBox> largest(double most) {
-    constexpr double whole = 0.95;
     const SuiteTolerance& of = task_.tolerance;
     const double below =
         std::max({of.f.below, of.delta.below, of.width.below, of.period.below, of.f.above});
@@ -160,7 +159,7 @@ class TaskSearch {
       const double bar =
           !best ? 0 : best->scale / (frictions == SuiteFrictions::constant ? 1 + least_gain : 1);
       const auto here = std::ranges::find(maps_, frictions, &Mapped::frictions);
-      auto now = largest_box(suite_, task_, frictions, {bar, std::min(most, whole / below)},
+      auto now = largest_box(suite_, task_, frictions, {bar, std::min(most, most_off / below)},
                              here == maps_.end() ? nullptr : &here->scan, watch_);
       if (now) {
         best = now;

@@ -51,6 +51,8 @@ void require_physical(std::string_view field, Dimension dimension, double value,
 
 /// Whether something follows the number of `text`.
 [[nodiscard]] bool has_unit(std::string_view text);
+/// Whether that is one of inches, feet or pounds.
+[[nodiscard]] bool is_customary(std::string_view text);
 /// Whether that is a unit of this dimension.
 [[nodiscard]] bool has_unit(std::string_view text, Dimension dimension);
 

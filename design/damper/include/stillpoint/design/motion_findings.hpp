@@ -24,11 +24,9 @@ void add_failed(std::vector<Finding>& all, const CrossCheck& check);
 [[nodiscard]] Finding lock_of(const ForcedResponse& motion, double load_end);
 
 /// Of a load that moves the mass only out of a notch wider than `width`, which is wider than the
-/// motion.
-[[nodiscard]] Finding no_notch(double width, double peak);
-/// To such a finding of a damper that was searched, a smaller delta than its own: that of a notch
-/// which is to be half as wide as the motion.
-void propose_delta(Finding& finding, double delta);
+/// motion. Of a delta that was searched a smaller one is proposed: that of a notch which is to be
+/// half as wide as the motion.
+[[nodiscard]] Finding no_notch(double width, double peak, double searched_delta = 0);
 
 /// A mass that feels more than this share of its load is not isolated.
 inline constexpr double hardly_less = 0.95;
@@ -40,7 +38,8 @@ inline constexpr double rest_share = 0.1;
 /// width, which does, stops it as well, at most `rest` off centre. `least_load` is the weakest that
 /// must move the mass.
 [[nodiscard]] Finding late_notch(const Oscillator& damper, const Excitation& pulse,
-                                 double least_load, double peak, double rest);
+                                 double least_load, double peak, double rest,
+                                 bool searched = false);
 
 /// |v0| of a hit that the notch catches, which the structure then feels in full, per mass.
 [[nodiscard]] std::optional<double> caught_impulse(const SimulationRequest& request,

@@ -50,6 +50,7 @@ struct PhysicalIsolator {
   std::optional<double> stiffness_n_per_m;
   std::optional<double> mass_kg;
   double gravity_m_per_s2{records::standard_gravity_m_per_s2};
+  bool inches{false};  ///< and pounds: what the task was given in
 };
 
 /// Scales with H = reference_velocity / omega. Throws InputError, naming the field, for a value
@@ -63,6 +64,7 @@ struct PhysicalInput {
   double period_s{0};
   bool by_stiffness{false};  ///< not by the period
   bool by_frequency{false};  ///< the same
+  bool inches{false};        ///< and pounds, in which its report is read
   std::optional<double> max_displacement_m{};
 };
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace stillpoint::peers {
 
@@ -20,10 +21,10 @@ inline constexpr std::int64_t any_effort = std::numeric_limits<std::int64_t>::ma
                             std::int64_t most = usual_effort);
 
 /// The classical Runge-Kutta method with a fixed `step` in tau, shortened only to end at events and
-/// kinks. Events are sign changes over a step, then Newton's method within the bracket on
-/// shorter steps from its start.
-[[nodiscard]] Result runge_kutta4(const Scene& scene, double step,
-                                  std::int64_t most = usual_effort);
+/// kinks, but of `under_load` up to the end of a load that has one. Events are sign changes over a
+/// step, then Newton's method within the bracket on shorter steps from its start.
+[[nodiscard]] Result runge_kutta4(const Scene& scene, double step, std::int64_t most = usual_effort,
+                                  const std::optional<double>& under_load = {});
 
 /// The model without events: sgn v becomes tanh(v / e), dirac(x) a bump, both `width` wide as a
 /// part of `size`, and dopri5 integrates it with the tolerance width / 1000. Below 3 e the mass
