@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -125,32 +124,25 @@ std::vector<std::string> environment(const Surroundings& surroundings) {
   return list;
 }
 
-template <class Object>
-using Owned = std::unique_ptr<Object, int (*)(Object*)>;
-
-void require_spawn(int error) {
-  require(error == 0, "posix_spawn", error);
-}
-
-/// The directory, and the three streams from standard input on, less those that are to be closed.
-void connect(posix_spawn_file_actions_t& actions, const std::filesystem::path& directory,
-             const std::array<int, 3>& streams, const std::vector<int>& closed) {
-  require_spawn(::posix_spawn_file_actions_addchdir_np(&actions, directory.c_str()));
+/// Starts the program in that directory with three streams from standard input on, less those that
+/// are to be closed, and with SIGINT as for one in the foreground, wherever the tests run.
+pid_t start(const std::string& program, const std::filesystem::path& directory,
+            const std::array<int, 3>& streams, const std::vector<int>& closed, char* const* words,
+            char* const* variables) {
+  const pid_t child = ::fork();
+  require(child >= 0, "fork");
+  if (child > 0) {
+    return child;
+  }
+  bool ready = ::chdir(directory.c_str()) == 0 && ::signal(SIGINT, SIG_DFL) != SIG_ERR;
   for (std::size_t i = 0; i < streams.size(); ++i) {
-    require_spawn(::posix_spawn_file_actions_adddup2(&actions, streams[i], static_cast<int>(i)));
+    ready = ready && ::dup2(streams[i], static_cast<int>(i)) >= 0;
   }
-  for (const int stream : closed) {
-    require_spawn(::posix_spawn_file_actions_addclose(&actions, stream));
+  std::ranges::for_each(closed, [](int stream) { ::close(stream); });
+  if (ready) {
+    ::execve(program.c_str(), words, variables);
   }
-}
-
-/// SIGINT as for a program in the foreground, wherever the tests run.
-void default_interrupt(posix_spawnattr_t& attributes) {
-  sigset_t signals{};
-  ::sigemptyset(&signals);
-  ::sigaddset(&signals, SIGINT);
-  require_spawn(::posix_spawnattr_setsigdefault(&attributes, &signals));
-  require_spawn(::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF));
+  ::_exit(127);
 }
 
 using Clock = std::chrono::steady_clock;
@@ -168,21 +160,14 @@ bool handles_interrupt(pid_t child) {
   return false;
 }
 
-/// Interrupts the program once it handles that, unless it takes longer than `deadline`.
-void interrupt(pid_t child, int err, Clock::time_point deadline) {
-  pollfd watched{err, POLLIN, 0};
-  while (Clock::now() < deadline && ::poll(&watched, 1, 10) == 0 && !handles_interrupt(child)) {
-  }
-  ::kill(child, SIGINT);  // not waited for yet, so the number is still its own
-}
-
-/// Sends the signal once its time has come, unless the program has `ended` before.
+/// Sends the signal once its time has come, an interrupt once the program handles it, unless the
+/// program has `ended` before.
 void send_signal(pid_t child, const Surroundings& surroundings, const std::stop_token& ended) {
-  if (!surroundings.signal_when) {
-    return;
-  }
-  while (!ended.stop_requested()) {
-    if (surroundings.signal_when()) {
+  const auto due = [&] {
+    return surroundings.interrupt ? handles_interrupt(child) : surroundings.signal_when();
+  };
+  while ((surroundings.interrupt || surroundings.signal_when) && !ended.stop_requested()) {
+    if (due()) {
       ::kill(child, surroundings.signal);
       return;
     }
@@ -272,26 +257,12 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   const File input = input_file(surroundings.input);
   Channel out = output_channel(surroundings);
   Channel err = surroundings.error_is_terminal ? terminal_channel() : pipe_channel();
-  posix_spawnattr_t attributes{};
-  require_spawn(::posix_spawnattr_init(&attributes));
-  const Owned<posix_spawnattr_t> owned_attributes(&attributes, &::posix_spawnattr_destroy);
-  default_interrupt(attributes);
-  posix_spawn_file_actions_t actions{};
-  require_spawn(::posix_spawn_file_actions_init(&actions));
-  const Owned<posix_spawn_file_actions_t> owned_actions(&actions,
-                                                        &::posix_spawn_file_actions_destroy);
-  connect(actions, path(""), {::fileno(input.get()), *out.writer, *err.writer},
-          surroundings.closed);
-  pid_t child = 0;
-  const int error = ::posix_spawn(&child, program.c_str(), &actions, &attributes,
-                                  pointers(words).data(), pointers(variables).data());
-  require(error == 0, program.c_str(), error);
+  const pid_t child =
+      start(program, path(""), {::fileno(input.get()), *out.writer, *err.writer},
+            surroundings.closed, pointers(words).data(), pointers(variables).data());
   out.writer.reset();
   err.writer.reset();
   const auto deadline = Clock::now() + surroundings.patience;
-  if (surroundings.interrupt) {
-    interrupt(child, *err.reader, deadline);
-  }
   std::jthread sender([&surroundings, child](const std::stop_token& ended) {
     send_signal(child, surroundings, ended);
   });

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cstring>
+#include <ranges>
 #include <sstream>
 
 namespace stillpoint::cli_test {
@@ -14,15 +15,10 @@ namespace {
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> parts;
-  std::string::size_type begin = 0;
-  for (;;) {
-    const auto end = line.find(',', begin);
-    parts.push_back(line.substr(begin, end - begin));
-    if (end == std::string::npos) {
-      return parts;
-    }
-    begin = end + 1;
+  for (const auto& part : line | std::views::split(',')) {
+    parts.emplace_back(part.begin(), part.end());
   }
+  return parts;
 }
 
 std::size_t size_of(const NpyField& field) {
