@@ -228,7 +228,7 @@ class RecordView {
     const columns = /** @type {[string, string, string, string][]} */ ([
       ["peak", length ? "peak_m" : "peak_amplitude", length, "peak_amplitude"],
       ["residual", length ? "final_position_m" : "final_position", length, "residual"],
-      ["transmitted", "peak_absolute_acceleration", "g", "peak_absolute_acceleration"],
+      ["transmitted", felt_name, "g", felt_name],
     ]);
     const head = ["record", "factor", "largest load", ...columns.map(([title]) => title)];
     const rows = motions.map((/** @type {any} */ motion) => {
