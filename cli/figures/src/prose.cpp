@@ -7,11 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <initializer_list>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::figures {
 

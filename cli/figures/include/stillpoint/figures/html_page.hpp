@@ -3,10 +3,6 @@
 
 #include <stillpoint/figures/figure.hpp>
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace stillpoint::figures {
 
 /// A page of figures, as data.
