@@ -3,6 +3,6 @@
 set(STILLPOINT_LEFT_OUT "src/(comparison|exact|kernel|reference|regularised)|src/figure_map"
   "src/(run|rows|map|merge|reducer|reduction|step|checkpoint|sink|state|list_source|request_of|grid|npy|part_label)|src/posix/(open_part|output|output_file|open_rows|part_file)"
   "src/(accuracy|browser|sweep|terminal)|src/figures/(choices|sweep)|src/json/(accuracy|reduction.*|sweep)"
-  "accuracy|commands|messages|output|progress|standard_streams|sweep|written_files|input/sweep|options/command_line")
+  "accuracy|commands|messages|output|progress|sweep|input/sweep|options/command_line")
 list(JOIN STILLPOINT_LEFT_OUT "|" STILLPOINT_LEFT_OUT)
 set(STILLPOINT_LEFT_OUT "^(${STILLPOINT_LEFT_OUT})\\.cpp$")

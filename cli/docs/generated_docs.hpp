@@ -28,8 +28,4 @@ namespace stillpoint::cli {
 /// The row of docs/sweep.md that says what the figures of a motion are called in SI units.
 [[nodiscard]] std::string sweep_columns_row();
 
-/// The tables of docs/theory.md sections 12 and 13: the largest tolerance of each arrival, and with
-/// a residual.
-[[nodiscard]] std::string tolerance_tables();
-
 }  // namespace stillpoint::cli

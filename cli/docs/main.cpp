@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Prints what is made from the options, and tables of the docs:
 // stillpoint_docs
-// man|bash|zsh|fish|scene-schema|motion-tables|sweep-columns|tolerance-tables|simulation-report-1|...
+// man|bash|zsh|fish|scene-schema|motion-tables|sweep-columns|simulation-report-1|...
 
 #include "generated_docs.hpp"
 
@@ -9,8 +9,6 @@
 #include <cstdlib>
 #include <exception>
 #include <map>
-#include <string>
-#include <string_view>
 
 int main(int argc, char** argv) {
   try {
@@ -22,15 +20,14 @@ int main(int argc, char** argv) {
         {"fish", cli::fish_completion},
         {"scene-schema", cli::scene_schema},
         {"motion-tables", cli::motion_tables},
-        {"sweep-columns", cli::sweep_columns_row},
-        {"tolerance-tables", cli::tolerance_tables}};
+        {"sweep-columns", cli::sweep_columns_row}};
     const std::string_view what = argc == 2 ? argv[1] : "";
     const auto maker = makers.find(what);
     const std::string text = maker != makers.end() ? maker->second() : cli::report_schema(what);
     if (text.empty()) {
       std::fputs(
           "usage: stillpoint_docs "
-          "man|bash|zsh|fish|scene-schema|motion-tables|sweep-columns|tolerance-tables|NAME\n"
+          "man|bash|zsh|fish|scene-schema|motion-tables|sweep-columns|NAME\n"
           "NAME is that of a report, simulation-report-1 say, of which it prints the schema\n",
           stderr);
       return EXIT_FAILURE;

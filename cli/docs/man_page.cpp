@@ -4,12 +4,6 @@
 #include "generated_docs.hpp"
 #include "option_facts.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
-#include <utility>
-
 namespace stillpoint::cli {
 
 namespace {

@@ -2,13 +2,8 @@
 #pragma once
 
 #include "options/command_line.hpp"
-#include "options/options.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <string>
-#include <string_view>
 
 namespace stillpoint::cli {
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include "generated_docs.hpp"
 #include "option_facts.hpp"

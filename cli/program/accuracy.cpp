@@ -3,7 +3,6 @@
 #include "input/request.hpp"
 
 #include <stillpoint/peers/comparison.hpp>
-#include <stillpoint/report/report.hpp>
 
 namespace stillpoint::cli {
 

@@ -5,19 +5,7 @@
 #include "messages.hpp"
 #include "progress.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/motion_findings.hpp>
-#include <stillpoint/report/record_design.hpp>
-#include <stillpoint/report/report.hpp>
-#include <stillpoint/report/spectrum.hpp>
-#include <stillpoint/report/terminal.hpp>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
-#include <string>
-#include <utility>
 
 namespace stillpoint::cli {
 
@@ -142,9 +130,7 @@ ExitCode run_spectrum(const Settings& settings, Output& output) {
   report::SpectrumReport report = spectrum_input(settings);
   report.result = watched(report.result.request);
   if (table) {
-    put_rows("table", *table,
-             table->ends_with(".npy") ? report::spectrum_npy(report) : report::spectrum_csv(report),
-             output);
+    put_rows("table", *table, report::spectrum_rows(report, table->ends_with(".npy")), output);
   }
   return finish(report, Command::spectrum, settings, output, table != "-");
 }

@@ -2,10 +2,7 @@
 #pragma once
 
 #include "options/command_line.hpp"
-#include "options/settings.hpp"
 #include "output.hpp"
-
-#include <stillpoint/answers/exit_code.hpp>
 
 namespace stillpoint::cli {
 

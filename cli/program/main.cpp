@@ -2,23 +2,13 @@
 #include "commands.hpp"
 #include "input/request.hpp"
 #include "messages.hpp"
-#include "options/command_line.hpp"
 #include "options/scene.hpp"
 #include "progress.hpp"
-#include "standard_streams.hpp"
-#include "written_files.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/report/browser.hpp>
 #include <stillpoint/texts/embedded.hpp>
 
-#include <fmt/format.h>
-
-#include <exception>
 #include <new>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace stillpoint::cli {
 

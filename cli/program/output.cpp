@@ -8,16 +8,11 @@
 #include <stillpoint/report/browser.hpp>
 #include <stillpoint/report/findings.hpp>
 #include <stillpoint/report/page_frame.hpp>
-#include <stillpoint/report/report.hpp>
-#include <stillpoint/sweep/output_file.hpp>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cassert>
 #include <filesystem>
-#include <vector>
 
 namespace stillpoint::cli {
 
@@ -70,6 +65,21 @@ void link_explorer(const Settings& settings, Command command, figures::HtmlPage&
     page.answer +=
         fmt::format("<p><a href=\"{}\">Explore this task</a></p>\n", figures::escaped(link));
   }
+}
+
+using sweep::NamedFile;
+
+/// The files that the options with this `use` name for this command.
+std::vector<NamedFile> files(Command command, const Settings& settings, FileUse use) {
+  std::vector<NamedFile> files;
+  for (const Option& option : options()) {
+    if (option.traits.file == use && option.serves(command) && settings.has(option.name)) {
+      for (std::string& path : settings.texts(option.name)) {
+        files.push_back({std::string(option.name), std::move(path)});
+      }
+    }
+  }
+  return files;
 }
 
 }  // namespace
@@ -142,6 +152,34 @@ void remark_on(std::span<const design::Finding> findings,
       remark(fmt::format("{}: {}", name(now.severity), report::words(now, physical)));
     }
   }
+}
+
+std::vector<NamedFile> files_to_read(Command command, const Settings& settings,
+                                     const std::optional<std::string>& scene) {
+  std::vector<NamedFile> read = files(command, settings, FileUse::read);
+  if (scene) {
+    read.insert(read.begin(), {"scene", *scene});
+  }
+  std::vector<NamedFile> standard = read;
+  std::erase_if(standard, [](const NamedFile& file) { return file.path != "-"; });
+  if (standard.size() > 1) {
+    throw UsageError(
+        fmt::format("the {} and the {} cannot both be standard input: give a file for one",
+                    standard[0].field, standard[1].field));
+  }
+  return read;
+}
+
+void require_files_apart(Command command, const Settings& settings,
+                         const std::optional<std::string>& scene) {
+  const std::vector<NamedFile> read = files_to_read(command, settings, scene);
+  std::vector<NamedFile> written = files(command, settings, FileUse::written);
+  for (const auto& [option, directory] : files(command, settings, FileUse::directory)) {
+    for (const std::string& figure : report::figure_ids(name(command))) {
+      written.push_back({option, svg_path(directory, figure)});
+    }
+  }
+  sweep::require_apart(read, written);
 }
 
 }  // namespace stillpoint::cli

@@ -3,7 +3,7 @@
 
 #include "options/settings.hpp"
 
-#include <stillpoint/answers/exit_code.hpp>
+#include <stillpoint/answers/answers.hpp>
 #include <stillpoint/design/finding.hpp>
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/figures/html_page.hpp>
@@ -12,11 +12,7 @@
 #include <stillpoint/report/sheet.hpp>
 #include <stillpoint/report/terminal.hpp>
 #include <stillpoint/sweep/output.hpp>
-
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
+#include <stillpoint/sweep/output_file.hpp>
 
 namespace stillpoint::cli {
 
@@ -94,5 +90,15 @@ answers::ExitCode finish(const Report& report, Command command, const Settings& 
   }
   return answers::exit_code(report);
 }
+
+/// The scene, a path or "-" for standard input, and the files that the options name. Throws
+/// UsageError if two of them are standard input.
+[[nodiscard]] std::vector<sweep::NamedFile> files_to_read(Command command, const Settings& settings,
+                                                          const std::optional<std::string>& scene);
+
+/// Throws records::FileError if a file that `command` would write is one that it reads, or is to be
+/// written twice. Links are followed; a device or a pipe may be written to any number of times.
+void require_files_apart(Command command, const Settings& settings,
+                         const std::optional<std::string>& scene);
 
 }  // namespace stillpoint::cli

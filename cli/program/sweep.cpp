@@ -4,17 +4,10 @@
 #include "messages.hpp"
 #include "progress.hpp"
 
-#include <stillpoint/records/file_error.hpp>
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/merge.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
-#include <stillpoint/sweep/output_file.hpp>
-#include <stillpoint/sweep/run.hpp>
-
-#include <fmt/format.h>
-
-#include <optional>
 
 namespace stillpoint::cli {
 

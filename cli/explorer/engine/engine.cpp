@@ -6,8 +6,7 @@
 #include "input/request.hpp"
 #include "options/scene.hpp"
 
-#include <stillpoint/answers/exit_code.hpp>
-#include <stillpoint/answers/hit.hpp>
+#include <stillpoint/answers/answers.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>

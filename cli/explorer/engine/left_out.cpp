@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What the rooms call and a page never does: only sweeps have maps, and fronts are not drawn.
-#include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/figures/figure.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <string>
+#include <vector>
 
 namespace stillpoint::report {
 struct FigureUnits;
-}
+struct Traded;
+}  // namespace stillpoint::report
 
 namespace stillpoint::figures {
 
@@ -24,8 +25,11 @@ namespace stillpoint::report {
 void add_parts(figures::Figure& figure, const Catalogue& catalogue, const FigureUnits& units);
 void add_parts(figures::Figure& /*figure*/, const Catalogue& /*catalogue*/,
                const FigureUnits& /*units*/) {}
-figures::Figure front_figure(const design::RecordDesign& result, const FigureUnits& units);
-figures::Figure front_figure(const design::RecordDesign& /*result*/, const FigureUnits& /*units*/) {
+std::vector<figures::Figure> trade_off_figures(const std::vector<Traded>& front,
+                                               const Traded& chosen, const FigureUnits& units);
+std::vector<figures::Figure> trade_off_figures(const std::vector<Traded>& /*front*/,
+                                               const Traded& /*chosen*/,
+                                               const FigureUnits& /*units*/) {
   return {};
 }
 

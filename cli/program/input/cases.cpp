@@ -5,14 +5,7 @@
 #include "input/record.hpp"
 #include "options/scene.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <string>
-#include <utility>
 
 namespace stillpoint::cli {
 

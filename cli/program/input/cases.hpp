@@ -4,14 +4,10 @@
 // The load cases of a design.
 
 #include "input/motion.hpp"
-#include "options/settings.hpp"
 
 #include <stillpoint/design/record_design.hpp>
 
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace stillpoint::cli {
 

@@ -2,13 +2,7 @@
 // The requests of design and region, which share their task.
 
 #include "input/excitation.hpp"
-#include "input/motion.hpp"
 #include "input/request.hpp"
-
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/box_shape.hpp>
-
-#include <fmt/format.h>
 
 namespace stillpoint::cli {
 

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "input/excitation.hpp"
 
-#include "input/motion.hpp"
 #include "input/record.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/design/wave_clock.hpp>
-
-#include <fmt/format.h>
-
-#include <utility>
 
 namespace stillpoint::cli {
 

@@ -2,15 +2,10 @@
 #pragma once
 
 #include "input/motion.hpp"
-#include "options/settings.hpp"
 
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/pulse.hpp>
-#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/report/report.hpp>
-
-#include <optional>
-#include <string>
 
 namespace stillpoint::cli {
 

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/motion.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/oscillator.hpp>
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -6,11 +6,6 @@
 #include <stillpoint/core/surface.hpp>
 #include <stillpoint/design/physical.hpp>
 
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace stillpoint::cli {
 
 using design::largest_physical;

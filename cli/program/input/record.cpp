@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "input/record.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/design/physical.hpp>
-
 #include <cmath>
 #include <numbers>
 

@@ -2,12 +2,8 @@
 #pragma once
 
 #include "input/motion.hpp"
-#include "options/settings.hpp"
 
 #include <stillpoint/records/record_suite.hpp>
-
-#include <optional>
-#include <vector>
 
 namespace stillpoint::cli {
 

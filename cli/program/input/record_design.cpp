@@ -2,16 +2,7 @@
 #include "input/request.hpp"
 
 #include "input/cases.hpp"
-#include "input/motion.hpp"
 #include "input/record.hpp"
-
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/record_file.hpp>
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string_view>
 
 namespace stillpoint::cli {
 

@@ -3,7 +3,7 @@
 
 #include "options/settings.hpp"
 
-#include <stillpoint/answers/hit.hpp>
+#include <stillpoint/answers/answers.hpp>
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/simulation.hpp>
 #include <stillpoint/design/box_shape.hpp>
@@ -17,10 +17,6 @@
 #include <stillpoint/sweep/spec.hpp>
 
 #include <functional>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace stillpoint::cli {
 

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "input/excitation.hpp"
-#include "input/motion.hpp"
 #include "input/request.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/motion_findings.hpp>
-
-#include <fmt/format.h>
-
-#include <utility>
 
 namespace stillpoint::cli {
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "input/motion.hpp"
 #include "input/record.hpp"
 #include "input/request.hpp"
-
-#include <stillpoint/core/input_error.hpp>
-
-#include <fmt/format.h>
-
-#include <vector>
 
 namespace stillpoint::cli {
 

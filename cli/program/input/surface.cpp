@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "input/motion.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/units.hpp>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <string_view>
-#include <vector>
 
 namespace stillpoint::cli {
 

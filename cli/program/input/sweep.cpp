@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "input/excitation.hpp"
-#include "input/motion.hpp"
 #include "input/record.hpp"
 #include "input/request.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/excitation_kinds.hpp>
-#include <stillpoint/records/units.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/sweep/part_label.hpp>
-#include <stillpoint/sweep/spec.hpp>
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <filesystem>
-#include <string>
-#include <string_view>
 #include <thread>
-#include <utility>
 
 namespace stillpoint::cli {
 

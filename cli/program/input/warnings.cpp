@@ -3,8 +3,6 @@
 #include "input/record.hpp"
 #include "input/request.hpp"
 
-#include <optional>
-
 namespace stillpoint::cli {
 
 namespace {

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "options/command_line.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/text.hpp>
-#include <stillpoint/records/units.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/report/terminal.hpp>
 #include <stillpoint/report/wrapped.hpp>
 #include <stillpoint/texts/embedded.hpp>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <map>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::cli {
 

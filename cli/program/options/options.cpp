@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "options/options.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-
 namespace stillpoint::cli {
 
 const Option* find_option(std::string_view name) {

@@ -6,6 +6,9 @@
 #include <stillpoint/records/units.hpp>
 #include <stillpoint/sweep/axis.hpp>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -205,10 +208,10 @@ struct Option {
   std::string_view name;
   OptionKind kind;
   std::string_view placeholder;  ///< in --help
-  std::string_view help;
   CommandSet commands;
   OptionTraits traits{};
   std::string_view group{};  ///< heading in --help
+  std::string_view help{};   ///< its line in data/help/options.txt
 
   /// All that a text may have; empty: any text.
   [[nodiscard]] std::vector<std::string_view> values() const {

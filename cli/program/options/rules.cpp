@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "options/settings.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
-
 namespace stillpoint::cli {
 
 namespace {

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "options/scene.hpp"
 
-#include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/text.hpp>
 #include <stillpoint/records/text_file.hpp>
 #include <stillpoint/sweep/json_text.hpp>
 #include "input/motion.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::cli {
 

@@ -3,9 +3,6 @@
 
 #include "options/settings.hpp"
 
-#include <string>
-#include <string_view>
-
 namespace stillpoint::cli {
 
 /// Reads a scene: a JSON object, which may have comments, whose keys are option names ('-' and '_'

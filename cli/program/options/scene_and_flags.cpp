@@ -2,11 +2,6 @@
 #include "input/excitation.hpp"
 #include "options/scene.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string_view>
-
 namespace stillpoint::cli {
 
 namespace {

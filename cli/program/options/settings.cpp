@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "options/settings.hpp"
 
-#include <stillpoint/core/input_error.hpp>
 #include <stillpoint/design/doubtful_values.hpp>
 #include <stillpoint/design/physical.hpp>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace stillpoint::cli {
 

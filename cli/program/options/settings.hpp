@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+// The headers that this one brings are not listed again in this room.
+
 #include "options/options.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -8,22 +10,15 @@
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/records/record_file.hpp>
-#include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/list.hpp>
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <algorithm>
-#include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace stillpoint::cli {
 

@@ -5,12 +5,7 @@
 #include "input/request.hpp"
 #include "options/scene.hpp"
 
-#include <stillpoint/records/text.hpp>
 #include <stillpoint/report/document.hpp>
-
-#include <fmt/format.h>
-
-#include <algorithm>
 
 namespace stillpoint::python {
 

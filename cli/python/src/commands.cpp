@@ -8,10 +8,6 @@
 #include "parts.hpp"
 #include "result.hpp"
 
-#include <stillpoint/report/report.hpp>
-
-#include <algorithm>
-
 namespace stillpoint::python {
 
 namespace py = pybind11;

@@ -2,7 +2,6 @@
 #include "held_arrays.hpp"
 #include "parts.hpp"
 
-#include <stillpoint/records/record_file.hpp>
 #include <stillpoint/records/text.hpp>
 
 #include <pybind11/stl.h>

@@ -8,14 +8,10 @@
 #include "output.hpp"
 #include "parts.hpp"
 #include "result.hpp"
-#include "written_files.hpp"
 
 #include <stillpoint/report/reduction.hpp>
 #include <stillpoint/report/sweep.hpp>
 #include <stillpoint/sweep/open_rows.hpp>
-#include <stillpoint/sweep/run.hpp>
-
-#include <fmt/format.h>
 
 #include <new>
 

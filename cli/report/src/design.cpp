@@ -58,10 +58,10 @@ Document document(const DesignReport& report) {
     add_mends(document, report.result, task);
   }
   if (report.catalogue) {
-    add_parts(document, *report.catalogue, task);
+    add_parts(document, report.catalogue->parts, report.physical, task.limits);
   }
   if (found) {
-    add_trade_off(document, report.trade_off.value_or(std::vector<design::TradeOff>{}), task);
+    add_trade_off(document, front_of(report), report.physical, task.limits);
     add_constraints(document, found->constraints, report.physical, of_first_swing(task));
   }
   add_findings(document, report.findings, report.physical);

@@ -8,10 +8,6 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/report/record_design.hpp>
 #include "choices.hpp"
-#include "format.hpp"
-#include "sections.hpp"
 
-#include <stillpoint/report/digits.hpp>
 #include <stillpoint/report/findings.hpp>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <optional>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 
@@ -52,19 +43,12 @@ std::string worst_words(const design::RecordDesign& result) {
   if (result.finding->box.samples <= 1) {
     return "";
   }
-  if (result.request.tolerance.exact()) {
-    return ", at worst";
-  }
-  const double asked = f.below;
-  const double part = result.request.judges ? asked : result.largest_tolerance.value_or(asked);
-  const bool wide = result.finding->point.damper.width > 0;
-  const bool alike =
-      std::ranges::all_of(std::array{f.above, delta.below, delta.above, wide ? width.below : asked,
-                                     wide ? width.above : asked},
-                          [asked](double other) { return other == asked; });
-  return alike && period.below + period.above == 0
-             ? format(", worst within a tolerance of {:.3g} %", 100 * part)
-             : ", worst within the tolerance";
+  const bool alike = f.below == f.above && f.below == delta.below && f.below == delta.above &&
+                     period.below + period.above == 0;
+  const double part = result.request.judges ? f.below : result.largest_tolerance.value_or(f.below);
+  return result.request.tolerance.exact() ? ", at worst"
+         : alike ? format(", worst within a tolerance of {:.3g} %", 100 * part)
+                 : ", worst within the tolerance";
 }
 
 /// "with a period of 2.8 s", or of a spring that varies "for periods of 2.4 to 3 s".
@@ -122,28 +106,8 @@ void add_answer(Section& answer, const RecordDesignReport& report) {
   add_check(answer, result.finding->cross_check);
 }
 
-/// The front, with what is asked for of each damper.
-void add_trade_off(Document& document, const design::RecordDesign& result,
-                   const Physical& physical) {
-  const FigureUnits units = units_of(physical);
-  const auto number = [](double value) { return format("{:.4g}", value); };
-  const bool springs = period_digits(result.request).has_value();
-  Table table{{in("stroke", units.length), "acceleration, g", in("residual", units.length), "f",
-               in("delta", units.length), in("width", units.length), in("period", units.time)},
-              {}};
-  for (const auto& [damper, figures] : result.trade_off) {
-    const design::SuiteFigures worst = largest(figures);
-    table.rows.push_back({{number(worst.peak * units.length), number(worst.acceleration),
-                           number(worst.residual * units.length), number(damper.f),
-                           number(damper.delta * units.length),
-                           damper.width > 0 ? number(damper.width * units.length) : "",
-                           springs ? number(2 * std::numbers::pi / damper.p * units.time) : ""}});
-  }
-  document.section("Trade-off of stroke and acceleration",
-                   {without_empty_columns(std::move(table))});
-}
-
-/// ": f, delta and the width may all be off by +-12 %"; nothing where that is not known.
+/// ": f and delta may both be off by +-12 %, and so may the width"; nothing where that is not
+/// known.
 std::string off_words(const design::RecordDesign& result) {
   if (!result.largest_tolerance) {
     return "";
@@ -156,11 +120,10 @@ std::string off_words(const design::RecordDesign& result) {
   if (most > 0) {
     limits.shape = {f.below / most, f.above / most, delta.below / most, delta.above / most};
   }
-  const bool wide = damper.width > 0 && width.below + width.above > 0;
-  return ": " +
-         (wide && leaves_any(largest) && limits.shape == design::BoxShape{}
-              ? format("f, delta and the width may all be off by +-{}", percent_digits(largest))
-              : tolerance_words(limits, largest, damper.delta));
+  const bool wide = damper.width > 0 && width.below + width.above > 0 && leaves_any(largest) &&
+                    limits.shape == design::BoxShape{};
+  return format(": {}{}", tolerance_words(limits, largest, damper.delta),
+                wide ? ", and so may the width" : "");
 }
 
 /// What the given damper lacks, or may be off by.
@@ -173,7 +136,7 @@ std::string judgement(const RecordDesignReport& report) {
   if (!result.finding->admissible) {
     return format("The damper is not admissible{}: {}.",
                   result.largest_tolerance ? " with this tolerance" : "",
-                  broken(result.constraints, report.physical, result.request.tolerance.exact()));
+                  broken(result.constraints, report.physical));
   }
   return format("The damper is admissible{}. {}{}: {}.", off_words(result),
                 whose_words(result.request.cases), worst_words(result),
@@ -262,43 +225,34 @@ std::string no_damper(const design::RecordDesign& result, const Physical& physic
                       one_way_out(result.mends, physical));
 }
 
-constexpr int region_digits = 6;
-
-/// "2.1 to 8.2", or "0 to 160 or more" up to the end of what is looked at.
-std::string delta_words(const design::RecordDesign& result, const Interval& delta,
-                        const FigureUnits& units) {
-  const double low = delta.low * units.length;
-  const double high = delta.high * units.length;
-  return delta.high < result.request.delta->high
-             ? interval_digits(low, high, region_digits)
-             : format("{} to {} or more",
-                      begins_at_nothing(low, high) ? "0" : limit_digits(low, true, region_digits),
-                      limit_digits(high, false, region_digits));
+/// Without the end of what is looked at.
+Interval unbounded(const design::RecordDesign& result, const Interval& delta) {
+  return {delta.low, delta.high < result.request.delta->high ? delta.high : HUGE_VAL};
 }
 
 /// "Feasible f: 0.0043 or 0.0106 to 0.0236."; of a given f which delta is.
-std::string feasible_words(const design::RecordDesign& result, const Physical& physical) {
+std::string region_words(const design::RecordDesign& result, const Physical& physical) {
   const std::string_view asked =
       result.request.tolerance.exact() ? "" : " with the tolerance asked for";
-  const FigureUnits units = units_of(physical);
-  std::string words;
-  if (const Interval& f = *result.request.f; f.low == f.high && !result.region->f.empty()) {
-    for (const auto& [each, delta] : result.region->deltas) {
-      words += (words.empty() ? "" : "; ") + delta_words(result, delta, units);
-    }
-    return format("Feasible delta at f = {:.{}g}{}: {}{}.", f.low, region_digits, asked, words,
-                  with_blank(units.length.name));
+  const auto& [feasible_f, deltas] = *result.region;
+  if (feasible_f.empty()) {
+    return no_damper(result, {});
   }
-  for (const auto& [low, high] : result.region->f) {
-    words += (words.empty() ? "" : " or ") + interval_digits(low, high, region_digits);
+  const Interval& f = *result.request.f;
+  if (f.low < f.high) {
+    return format("Feasible f{}: {}.", asked, feasible_words(feasible_f));
   }
-  return words.empty() ? no_damper(result, {}) : format("Feasible f{}: {}.", asked, words);
+  std::vector<Interval> all;
+  for (const auto& [each, delta] : deltas) {
+    all.push_back(unbounded(result, delta));
+  }
+  return format("Feasible delta at f = {:.{}g}{}: {}.", f.low, digits_of_region, asked,
+                delta_words(all, physical));
 }
 
 /// Which delta each f may have.
 Document region_document(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
-  const FigureUnits units = units_of(report.physical);
   Document document =
       answered("Admissible region", report, result.region->f.empty() ? Tone::bad : Tone::good);
   add_damping(document.answer, oscillator_of(result.request, {}), result.request.zeta.high);
@@ -306,7 +260,7 @@ Document region_document(const RecordDesignReport& report) {
     document.answer.row("way out", "design says what would make it feasible");
     return document;
   }
-  Table table{{"f", in("feasible delta", units.length)}, {}};
+  Table table{{"f", "feasible delta"}, {}};
   constexpr std::size_t every = 5;  // of the f
   std::size_t values = 0;
   double last = -1;
@@ -315,8 +269,8 @@ Document region_document(const RecordDesignReport& report) {
     if (values % every != 1) {
       continue;
     }
-    table.rows.push_back(
-        {{format("{:.{}g}", f, region_digits), delta_words(result, delta, units)}});
+    table.rows.push_back({{format("{:.{}g}", f, digits_of_region),
+                           delta_words(std::array{unbounded(result, delta)}, report.physical)}});
   }
   document.section("Feasible dampers", {std::move(table)});
   return document;
@@ -360,7 +314,7 @@ std::string verdict(const RecordDesignReport& report) {
     return judgement(report);
   }
   if (result.region) {
-    return feasible_words(result, physical);
+    return region_words(result, physical);
   }
   if (!result.finding) {
     return parts.empty() ? no_damper(result, physical)
@@ -399,9 +353,7 @@ Document document(const RecordDesignReport& report) {
     if (result.request.cases.size() > 1) {
       add_cases(document, result, physical);
     }
-    if (!result.trade_off.empty()) {
-      add_trade_off(document, result, physical);
-    }
+    add_trade_off(document, front_of(result), physical);
     add_motions(document, result, physical);
   } else if (settled(result.nearest.figures)) {
     const design::SuiteDamper& damper = result.nearest.damper;
@@ -412,10 +364,7 @@ Document document(const RecordDesignReport& report) {
     }
   }
   if (!result.parts.empty()) {
-    add_parts(document, result.parts, physical, {}, [&](const design::RatedPart& rated) {
-      return rated.admissible ? "fits"
-                              : broken(rated.violated, physical, result.request.tolerance.exact());
-    });
+    add_parts(document, result.parts, physical);
   }
   add_constraints(
       document, result.constraints, physical,

@@ -7,48 +7,20 @@ namespace stillpoint::report {
 
 namespace {
 
-constexpr int digits_of_f = 6;
-
-/// "up to 0.0043 or 0.0106 to 0.0236"
-std::string feasible_words(const RegionReport& report) {
-  std::string words;
-  for (const auto& [low, high] : report.answer.feasible_f) {
-    words += (words.empty() ? "" : " or ") + interval_digits(low, high, digits_of_f);
-  }
-  return words;
-}
-
 /// "The damper is admissible: f and delta may both be off by +-33.86 %.", or what is wrong.
 std::string judgement(const RegionReport& report) {
   const design::RegionAnswer& answer = report.answer;
   const design::Limits& limits = report.request.limits;
-  const std::string wrong = violations(answer.constraints, task_of(report));
+  const std::string wrong = broken(answer.constraints, report.physical);
   const std::string why =
       answer.tolerance ? tolerance_words(design::Limits{}, *answer.tolerance, *report.request.delta)
       : wrong.empty()  ? "some hits of the range leave it too far off centre"
-                       : "it " + wrong;
+                       : wrong;
   return format("The damper is {}{}: {}.", *answer.admissible ? "admissible" : "not admissible",
                 answer.tolerance && !*answer.admissible
                     ? format(" with a tolerance of {}", tolerance_text(limits, limits.tolerance))
                     : "",
                 why);
-}
-
-/// "2.1 mm to 8.2 mm or 9 mm to 10 mm"; of many the largest.
-std::string delta_words(const std::vector<Interval>& all, const Physical& physical) {
-  constexpr std::size_t most_listed = 3;
-  constexpr double conversion = 1 + 1e-12;  // the rounding of 3 mm to dimensionless and back
-  const std::size_t left_out = all.size() - std::min(all.size(), most_listed);
-  std::string text;
-  for (const auto& [low, high] : std::span(all).subspan(left_out)) {
-    const std::string least = length_limit(physical, low, true);
-    const std::string most = length_limit(physical, high * conversion, false);
-    text += format("{}{}", text.empty() ? "" : " or ",
-                   std::isinf(high) ? "at least " + least
-                   : low > 0        ? format("{} to {}", least, most)
-                                    : "up to " + most);
-  }
-  return text + (left_out > 0 ? " or in lower ranges" : "");
 }
 
 bool fits(const Catalogue& catalogue) {
@@ -66,7 +38,7 @@ void add_strips(Document& document, const design::Problem& problem,
   for (const design::Strip& strip : std::span(strips).first(std::min(most_listed, strips.size()))) {
     table.rows.push_back(
         {{strip.arrival == 0 ? "none, within the residual" : format("{}", strip.arrival),
-          strip.f_lower ? interval_digits(*strip.f_lower, *strip.f_upper, digits_of_f)
+          strip.f_lower ? interval_digits(*strip.f_lower, *strip.f_upper, digits_of_region)
                         : "none with the tolerance asked for",
           "+-" + percent_digits(strip.tolerance)}});
   }
@@ -84,7 +56,7 @@ std::string verdict(const RegionReport& report) {
              ? none_admissible(answer, task_of(report))
              : format("Feasible f{}: {}{}.{}",
                       report.request.limits.tolerance > 0 ? " with the tolerance asked for" : "",
-                      feasible_words(report),
+                      feasible_words(report.answer.feasible_f),
                       intervals > 1
                           ? format("; of {} intervals this one has the most tolerant damper",
                                    intervals)
@@ -112,8 +84,8 @@ Document document(const RegionReport& report) {
              Tone::heading);
   }
   if (delta) {
-    rows.row("feasible f",
-             (region.feasible ? feasible_words(report) : "none") + std::string(asked));
+    rows.row("feasible f", (region.feasible ? feasible_words(report.answer.feasible_f) : "none") +
+                               std::string(asked));
   }
   if (const auto& feasible = answer.feasible_delta;
       feasible && (f || !feasible->empty()) && (region.feasible || !delta)) {
@@ -148,7 +120,7 @@ Document document(const RegionReport& report) {
     add_mends(document, answer, task);
   }
   if (report.catalogue) {
-    add_parts(document, *report.catalogue, task);
+    add_parts(document, report.catalogue->parts, report.physical, task.limits);
   }
   if (delta) {
     add_constraints(document, answer.constraints, physical, of_first_swing(task));

@@ -56,6 +56,30 @@ std::string_view jumps_words(double delta, const std::optional<double>& width) {
   return delta > 0 && !width ? " between the velocity jumps at the notch" : "";
 }
 
+std::string feasible_words(std::span<const Interval> f) {
+  std::string words;
+  for (const auto& [low, high] : f) {
+    words += (words.empty() ? "" : " or ") + interval_digits(low, high, digits_of_region);
+  }
+  return words;
+}
+
+std::string delta_words(std::span<const Interval> all, const Physical& physical) {
+  constexpr std::size_t most_listed = 3;
+  constexpr double conversion = 1 + 1e-12;  // the rounding of 3 mm to dimensionless and back
+  const std::size_t left_out = all.size() - std::min(all.size(), most_listed);
+  std::string text;
+  for (const auto& [low, high] : all.subspan(left_out)) {
+    const std::string least = length_limit(physical, low, true);
+    const std::string most = length_limit(physical, high * conversion, false);
+    text += format("{}{}", text.empty() ? "" : " or ",
+                   std::isinf(high)                ? "at least " + least
+                   : !begins_at_nothing(low, high) ? format("{} to {}", least, most)
+                                                   : "up to " + most);
+  }
+  return text + (left_out > 0 ? " or in lower ranges" : "");
+}
+
 std::string interval_text(const design::ServedInterval& interval) {
   constexpr int shown = 3;
   constexpr double conversion = 1e-12;  // the rounding of 0.44 m/s to dimensionless and back

@@ -8,24 +8,17 @@
 #include "units.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
-#include <stillpoint/design/built_notch.hpp>
-#include <stillpoint/design/design.hpp>
 #include <stillpoint/design/motion_findings.hpp>
 #include <stillpoint/design/problem.hpp>
 #include <stillpoint/design/record_design_result.hpp>
-#include <stillpoint/design/region.hpp>
 #include <stillpoint/design/shown_damper.hpp>
 #include <stillpoint/design/suite_task.hpp>
 #include <stillpoint/report/digits.hpp>
-#include <stillpoint/report/document.hpp>
 #include <stillpoint/report/report.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 
 namespace stillpoint::report {
 
@@ -59,6 +52,11 @@ struct ShownTask {
 /// The same with the stiffness, if the mass is known.
 [[nodiscard]] std::string spring_words(const Physical& physical, double p,
                                        std::optional<int> digits = {});
+inline constexpr int digits_of_region = 6;
+/// "up to 0.0043 or 0.0106 to 0.0236"
+[[nodiscard]] std::string feasible_words(std::span<const Interval> f);
+/// "2.1 mm to 8.2 mm or at least 9 mm"; of many the largest.
+[[nodiscard]] std::string delta_words(std::span<const Interval> all, const Physical& physical);
 /// "0.340 to 0.429", "up to 0.463", "at least 0.5" or "any size".
 [[nodiscard]] std::string interval_text(const design::ServedInterval& interval);
 /// "peak 137.37 mm, at rest after 1.5287 s, 0.09465 g transmitted outside the notch"

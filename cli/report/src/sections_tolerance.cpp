@@ -4,8 +4,6 @@
 
 #include <stillpoint/design/tolerance.hpp>
 
-#include <utility>
-
 namespace stillpoint::report {
 
 namespace {

@@ -4,8 +4,8 @@
 
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/findings.hpp>
+#include <stillpoint/texts/embedded.hpp>
 
-#include <functional>
 #include <initializer_list>
 
 namespace stillpoint::report {
@@ -135,54 +135,29 @@ void specify_checks(Document& sheet, const Specified& of) {
   }
 }
 
-/// Those that hold.
-using Sentences = std::initializer_list<std::pair<bool, std::string_view>>;
-void specify(Document& sheet, std::string heading, const Sentences& all) {
-  Section& section = sheet.section(std::move(heading));
-  for (const auto& [holds, text] : all) {
+/// What data/words/sheet.txt says of such a damper and such loads, under its headings.
+void specify_rest(Document& sheet, const Specified& of) {
+  const Oscillator& mass = of.cases.front().motion.oscillator;
+  const auto forced = [](const SheetCase& now) { return is_forced(now.motion); };
+  std::vector<design::FindingValue> holding;
+  for (const auto& [name, holds] : std::initializer_list<std::pair<std::string_view, bool>>{
+           {"undamped", mass.zeta == 0},
+           {"damped", mass.zeta > 0},
+           {"even", mass.breakaway == 1},
+           {"notch", of.damper.delta > 0},
+           {"hit", !std::ranges::all_of(of.cases, forced)},
+           {"load", std::ranges::any_of(of.cases, forced)}}) {
     if (holds) {
-      section.line(std::string(text));
+      holding.push_back({name, std::string()});
     }
   }
-}
-
-void specify_assumptions(Document& sheet, const Specified& of) {
-  const Oscillator& mass = of.cases.front().motion.oscillator;
-  const auto forced =
-      std::ranges::count_if(of.cases, [](const SheetCase& now) { return is_forced(now.motion); });
-  specify(sheet, "Assumptions",
-          {{true, "One rigid mass moves in one direction on a linear spring."},
-           {mass.zeta == 0, "There is no viscous damping."},
-           {true,
-            "The constant friction is the same whatever the speed, the pressure and the "
-            "temperature. Their effect belongs to the tolerance."},
-           {mass.breakaway == 1, "It is the same at rest and in motion."},
-           {of.damper.delta > 0, "The notch takes the same energy at every passage through x = 0."},
-           {static_cast<std::size_t>(forced) < of.cases.size(),
-            "A hit is a velocity at x = 0, where the mass has left the notch. That is valid for "
-            "pulses much shorter than the natural period."},
-           {forced > 0, "Under a pulse or a record the mass starts at rest at x = 0."},
-           {true, "Nothing stops the mass at the stroke limit: farther out the motion goes on."},
-           {true, "Each later load starts where the mass came to rest after the one before."}});
-}
-
-void specify_meanings(Document& sheet, const Specified& of) {
-  specify(sheet, "What the figures mean",
-          {{true,
-            "Friction acts wherever the mass slides; each passage through x = 0 costs the notch "
-            "energy besides. Least and most are the ends of the tolerance, rounded inwards."},
-           {true,
-            "The stroke is of the nominal damper, the worst stroke of any damper within the "
-            "tolerance. Velocity, path and energies are of the nominal damper up to its rest, of "
-            "several motions each the largest. Friction heat is friction times the slip path."},
-           {true,
-            "The secant stiffness is the force of spring and friction at the stroke over the "
-            "stroke. The equivalent damping is what one full cycle between plus and minus the "
-            "stroke takes, over 2 pi times secant stiffness times stroke squared: four strokes "
-            "of friction and two passages of the notch. The motion here is no such cycle: use it "
-            "to compare devices."},
-           {of.cases.front().motion.oscillator.zeta > 0,
-            "Viscous damping in it is at the frequency of the secant stiffness."}});
+  for (const std::string_view line : records::split(texts::embedded("words/sheet.txt"), '\n')) {
+    if (line.starts_with("# ")) {
+      sheet.section(std::string(line.substr(2)));
+    } else {
+      sheet.sections.back().line(filled(line, holding, of.physical));
+    }
+  }
 }
 
 /// Where it does not fit, the page is longer.
@@ -233,8 +208,7 @@ std::string body(const Specified& of, const SheetFrame& frame) {
   Document back;
   specify_practice(back, of);
   specify_checks(back, of);
-  specify_assumptions(back, of);
-  specify_meanings(back, of);
+  specify_rest(back, of);
   const std::string title =
       frame.title.empty() ? "Friction damper" : records::printable(frame.title, longest);
   return format(

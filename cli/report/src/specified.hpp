@@ -8,12 +8,6 @@
 #include <stillpoint/design/duty.hpp>
 #include <stillpoint/report/sheet.hpp>
 
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 namespace stillpoint::report {
 
 /// A case as it stands on the sheet.

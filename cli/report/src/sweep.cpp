@@ -8,9 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 

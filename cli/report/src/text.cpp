@@ -9,10 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numeric>
-#include <utility>
-#include <variant>
 
 namespace stillpoint::report {
 

@@ -29,4 +29,16 @@ std::string embedded(std::string_view file, const std::map<std::string_view, std
   }
 }
 
+std::string_view line_of(std::string_view file, std::string_view name) {
+  for (std::string_view rest = embedded(file); !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    if (line.starts_with(name) && line.substr(name.size()).starts_with(": ")) {
+      return line.substr(name.size() + 2);
+    }
+    rest.remove_prefix(line.size() + 1);
+  }
+  assert(false && "a line that the file does not have");
+  return {};
+}
+
 }  // namespace stillpoint::texts

@@ -7,9 +7,6 @@
 
 #include <stillpoint/answers/answer.hpp>
 #include <stillpoint/report/document.hpp>
-#include <stillpoint/report/record_design.hpp>
-
-#include <fmt/format.h>
 
 #include <locale>
 

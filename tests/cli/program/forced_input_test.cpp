@@ -56,17 +56,4 @@ BOOST_AUTO_TEST_CASE(record_is_in_seconds_with_physical_input) {
   BOOST_TEST(report["physical"]["excitation_duration_s"].is_null());
 }
 
-BOOST_AUTO_TEST_CASE(waves_may_be_in_tau_with_physical_input) {
-  const json report = reported(
-      "simulate --velocity 0.4 --period 3 --f 0.02 --delta-m 0.001 "
-      "--excitation harmonic --k 0.1 --lambda 0.7 --t-end 30");
-  const json& input = report["input"];
-  const json same =
-      reported({"simulate", "--v0", in_full(input["v0"]), "--p", in_full(input["p"]), "--f", "0.02",
-                "--delta", in_full(input["delta"]), "--excitation", "harmonic", "--k", "0.1",
-                "--lambda", "0.7", "--t-end", "30"})["response"];
-  BOOST_TEST(report["response"] == same);
-  BOOST_TEST(same["end_time"] == 30);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -50,7 +50,8 @@ BOOST_AUTO_TEST_CASE(of_a_command_lists_only_its_options) {
       BOOST_TEST(contains(answer.out, start) == option.serves(command), name(command)
                                                                             << ": " << option.name);
       if (option.serves(command)) {
-        BOOST_TEST(contains(answer.out, std::string(option.help)), option.name);
+        BOOST_TEST((!option.help.empty() && contains(answer.out, std::string(option.help))),
+                   option.name);
       }
     }
     check_contains(answer.out, {"--help", "--version", "Exit codes: 0"});
@@ -73,12 +74,7 @@ BOOST_AUTO_TEST_CASE(examples_work) {
           contains(line, "--list")) {
         continue;
       }
-      std::istringstream words(line.substr(program.size()));
-      Arguments arguments;
-      for (std::string word; words >> word;) {
-        arguments.push_back(word);
-      }
-      succeed(arguments);
+      succeed(line.substr(program.size()).c_str());
       ++tried;
     }
   }

@@ -4,19 +4,20 @@
 #include "cli_test.hpp"
 #include "testing/simulation_of.hpp"
 
-#include <stillpoint/answers/hit.hpp>
+#include <stillpoint/answers/answers.hpp>
 #include <stillpoint/design/motion_findings.hpp>
+#include <stillpoint/records/text.hpp>
 #include <stillpoint/report/report.hpp>
 
 BOOST_AUTO_TEST_SUITE(library_answer_test)
 
 using namespace stillpoint;
 using namespace stillpoint::cli_test;
-using Given = std::vector<std::pair<const char*, double>>;
+using Given = std::vector<std::pair<std::string, double>>;
 
 Arguments options(Arguments arguments, const Given& given) {
   for (const auto& [option, value] : given) {
-    arguments.emplace_back(option);
+    arguments.push_back(option);
     arguments.push_back(in_full(value));
   }
   return arguments;
@@ -97,14 +98,10 @@ Arguments simulated(const Motion& motion) {
 /// The options of a task.
 Given given(const design::Problem& problem, const design::Limits& limits) {
   Given options{{"--v0", problem.v0}, {"--p", problem.p}, {"--beta", problem.beta}};
-  if (limits.f_max) {
-    options.emplace_back("--f-max", *limits.f_max);
-  }
-  if (limits.delta_max) {
-    options.emplace_back("--delta-max", *limits.delta_max);
-  }
-  if (limits.acceleration_max) {
-    options.emplace_back("--acceleration-max", *limits.acceleration_max);
+  for (const design::LimitKind& kind : design::limit_kinds()) {
+    if (const std::optional<double>& limit = limits.*kind.value) {
+      options.emplace_back("--" + records::hyphened(kind.field), *limit);
+    }
   }
   options.emplace_back("--tolerance", limits.tolerance);
   return options;

@@ -38,12 +38,7 @@ struct Matrix : Sandbox {
                   (option.starts_with("--pulse-duration") ? "" : " --pulse-duration 0.4") + stroke
         : column == 3 ? "--record a.txt" + stroke
                       : std::string();
-    return split(text + period);
-  }
-
-  static Arguments split(const std::string& text) {
-    std::istringstream stream(text);
-    return {std::istream_iterator<std::string>(stream), {}};
+    return (text + period).c_str();
   }
 };
 
@@ -64,7 +59,8 @@ BOOST_FIXTURE_TEST_CASE(each_cell_is_as_it_says, Matrix) {
       BOOST_TEST_CONTEXT(option << ", column " << column) {
         Arguments all{region ? "region" : "design"};
         std::ranges::move(load(column, option), std::back_inserter(all));
-        std::ranges::move(split(region ? option.substr(6) : option), std::back_inserter(all));
+        std::ranges::move(Arguments((region ? option.substr(6) : option).c_str()),
+                          std::back_inserter(all));
         if (column == 4) {
           all.insert(all.end(), {"--cases", read("cases.json")});
           // What a case of its own would have instead.

@@ -9,9 +9,12 @@ BOOST_AUTO_TEST_SUITE(reports_test)
 //   PLACE ~ NUMBER   within 1e-12 of it, or within what follows
 //   PLACE < NUMBER, PLACE > NUMBER, PLACE has WORDS, PLACE size N
 //   PLACE as COMMAND the same value as in that command's report; without a place all of it
+//   PLACE near COMMAND  the same size as there, within 1e-9
 //   out has WORDS, err has WORDS, err lacks WORDS, err size LINES: of the text, and of standard
 //   error
-// where a place is design/f, or mends/beta/value: parts of an array by their name, kind or input.
+// where a place is design/f, or mends/beta/value: parts of an array by their name, kind or input,
+// or where they have none by their number. NUMBER*PLACE is a number too. In COMMAND {PLACE} is the
+// value in this report, and PLACE: or NUMBER*PLACE: before it means another place in that one.
 
 using namespace stillpoint::cli_test;
 
@@ -48,7 +51,7 @@ class Reported {
   void check_exit(int code) const { BOOST_TEST(run_.exit_code == code, run_.err); }
 
   void check(const std::string& line) const {
-    static const std::regex form("(\\S*) ?(=|~|<|>|has|lacks|size|as) (.*)");
+    static const std::regex form("(\\S*) ?(=|~|<|>|has|lacks|size|as|near) (.*)");
     std::smatch match;
     BOOST_TEST_REQUIRE(std::regex_match(line, match, form), line);
     const std::string place = match[1];
@@ -81,11 +84,18 @@ class Reported {
     if (how == "size") {
       return found.size() == std::stoul(what);
     }
-    if (how == "as") {
-      const json other = sandbox_.run(Arguments(what.c_str()) + "--json", input_).json();
-      return without_wall_times(found) == without_wall_times(at_place(other, place));
+    if (how == "as" || how == "near") {
+      static const std::regex form("(?:([0-9.e-]+)\\*)?(?:(\\S*): )?(.*)");
+      std::smatch match;
+      std::regex_match(what, match, form);
+      const double times = match[1].matched ? std::stod(match[1]) : 1;
+      const json other =
+          at_place(report_of(filled(match[3])), match[2].matched ? match[2].str() : place);
+      return how == "as"
+                 ? without_wall_times(found) == without_wall_times(other)
+                 : near(std::abs(found.get<double>()), std::abs(times * other.get<double>()), 1e-9);
     }
-    const double number = std::stod(what);
+    const double number = number_of(what.substr(0, what.find(' ')));
     const std::size_t blank = what.find(' ');
     const double within = blank == std::string::npos ? 1e-12 : std::stod(what.substr(blank));
     return found.is_number() && (how == "~"   ? near(found, number, within)
@@ -93,10 +103,37 @@ class Reported {
                                               : found.get<double>() > number);
   }
 
+  [[nodiscard]] const json& report_of(const std::string& command) const {
+    json& known = others_[command];
+    if (known.is_null()) {
+      known = sandbox_.run(Arguments(command.c_str()) + "--json", input_).json();
+    }
+    return known;
+  }
+
+  /// Of "0.9*design/f".
+  [[nodiscard]] double number_of(const std::string& text) const {
+    const std::size_t sign = text.find('*');
+    return std::stod(text) * (sign == std::string::npos
+                                  ? 1
+                                  : at_place(run_.json(), text.substr(sign + 1)).get<double>());
+  }
+
+  [[nodiscard]] std::string filled(std::string command) const {
+    static const std::regex blank("\\{([a-z][a-z0-9_/]*)\\}");
+    for (std::smatch match; std::regex_search(command, match, blank);) {
+      command.replace(static_cast<std::size_t>(match.position()),
+                      static_cast<std::size_t>(match.length()),
+                      at_place(run_.json(), match[1]).dump());
+    }
+    return command;
+  }
+
   Sandbox sandbox_;
   Surroundings input_;
   Arguments arguments_;
   ProgramRun run_;
+  mutable std::map<std::string, json> others_;  ///< by their commands
 };
 
 BOOST_AUTO_TEST_CASE(each_command_reports_what_is_told_of_it) {

@@ -7,25 +7,8 @@ BOOST_AUTO_TEST_SUITE(spectrum_command_test)
 
 using namespace stillpoint::cli_test;
 
-/// Metres and seconds on the way there and back.
-constexpr double units_tolerance = 1e-12;
-
 const Arguments asked(
     "spectrum --record a.txt --period 1s:3s:5 --f 0.02 --delta-m 20mm --hold 0.1");
-
-BOOST_FIXTURE_TEST_CASE(each_point_matches_simulate, Recorded) {
-  const json report = reported(asked);
-  for (const json& point : report["records"][0]["points"]) {
-    const json motion = reported(
-        Arguments{"simulate", "--record", "a.txt", "--period", in_full(point["period_s"])} +
-        "--f 0.02 --delta-m 20mm --hold 0.1")["physical"];
-    check_near(point,
-               {{"peak_m", motion["peak_m"]},
-                {"jump_m_per_s", motion["jump_m_per_s"]},
-                {"residual_m", std::abs(motion["stop_position_m"].get<double>())}},
-               units_tolerance);
-  }
-}
 
 BOOST_FIXTURE_TEST_CASE(the_table_has_the_numbers_of_the_report, Recorded) {
   write("list.csv", "file,scale\na.txt,-3\n");

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
-#include "figures/drawing.hpp"
 #include "figures/report_figures.hpp"
 
-#include <algorithm>
 #include <array>
 #include <iterator>
 
@@ -12,18 +10,19 @@ namespace stillpoint::report {
 namespace {
 
 /// One of the quantities over the stroke.
-Figure over_stroke(Figure figure, const std::vector<design::TradeOff>& front,
-                   const design::TradeOff& chosen, const FigureUnits& units, std::string name,
-                   Ink ink, double (*quantity)(const design::TradeOff&)) {
-  const auto place = [&](const design::TradeOff& now) {
-    return FigurePoint{now.peak_amplitude * units.length, quantity(now)};
+Figure over_stroke(Figure figure, const std::vector<Traded>& front, const Traded& chosen,
+                   const FigureUnits& units, std::string name, Ink ink,
+                   double (*quantity)(const Traded&)) {
+  const auto place = [&](const Traded& now) {
+    return FigurePoint{now.peak * units.length, quantity(now)};
   };
   Points all{place(chosen)};
   std::ranges::transform(front, std::back_inserter(all), place);
   const Points line(all.begin() + 1, all.end());
+  const auto [shortest, longest] = std::ranges::minmax(line, {}, &FigurePoint::x);
   const auto [least, most] = std::ranges::minmax(all, {}, &FigurePoint::y);
   figure.height = 170;
-  figure.x = axis_around(in("stroke", units.length), line.back().x, line.front().x);
+  figure.x = axis_around(in("stroke", units.length), shortest.x, longest.x);
   figure.y = axis_around(name, least.y, most.y);
   figure.curves.push_back({std::move(name), {line}, ink});
   figure.marks.push_back({"design", {all.front()}, Shape::diamond, Ink::blue});
@@ -59,46 +58,29 @@ void add_parts(Figure& figure, const Catalogue& catalogue, const FigureUnits& un
   }
 }
 
-std::vector<Figure> trade_off_figures(const std::vector<design::TradeOff>& front,
-                                      const design::Found& found, const FigureUnits& units) {
-  const design::Figures of = design::figures_of(found.response);
-  const design::TradeOff chosen{found.point, of.peak, of.acceleration};
-  Figure acceleration =
-      over_stroke({"trade-off", "Trade-off of stroke, acceleration and tolerance",
-                   "The least transmitted acceleration for each stroke, and the design."},
-                  front, chosen, units, "acceleration outside the notch, g", Ink::orange,
-                  [](const design::TradeOff& now) { return now.transmitted; });
+std::vector<Figure> trade_off_figures(const std::vector<Traded>& front, const Traded& chosen,
+                                      const FigureUnits& units) {
+  const bool of_hits = chosen.tolerance.has_value();
+  Figure acceleration = over_stroke(
+      {"trade-off", "Trade-off of stroke and acceleration",
+       "The least transmitted acceleration for each stroke, and the design."},
+      front, chosen, units, of_hits ? "acceleration outside the notch, g" : "acceleration, g",
+      Ink::orange, [](const Traded& now) { return now.transmitted; });
   acceleration.y.label = "acceleration, g";  // the name is too long for its height
-  Figure tolerance =
-      over_stroke({"trade-off-tolerance", "Tolerance of the same dampers",
-                   "The largest tolerance for each stroke, and the design."},
-                  front, chosen, units, "tolerance, %", Ink::blue,
-                  [](const design::TradeOff& now) { return 100 * now.damper.tolerance; });
+  if (!of_hits) {
+    acceleration.clauses = {"Each point is the worst within the tolerance of its damper"};
+    return {std::move(acceleration)};
+  }
+  Figure tolerance = over_stroke({"trade-off-tolerance", "Tolerance of the same dampers",
+                                  "The largest tolerance for each stroke, and the design."},
+                                 front, chosen, units, "tolerance, %", Ink::blue,
+                                 [](const Traded& now) { return 100 * now.tolerance.value(); });
   tolerance.below = true;
   tolerance.clauses = {
       "Each point is the most tolerant damper of its stroke: none is better in one of the three "
       "without being worse in another",
       "inside a notch the acceleration is f + Δ/w + spring"};
   return {std::move(acceleration), std::move(tolerance)};
-}
-
-Figure front_figure(const design::RecordDesign& result, const FigureUnits& units) {
-  const auto traded = [](const design::TaskFigures& figures) {
-    const design::SuiteFigures worst = largest(figures);
-    return design::TradeOff{{}, worst.peak, worst.acceleration};
-  };
-  std::vector<design::TradeOff> front;
-  for (const design::SuitePoint& point : result.trade_off) {
-    front.push_back(traded(point.figures));
-  }
-  std::ranges::reverse(front);  // from the largest stroke, as that of a hit
-  Figure figure =
-      over_stroke({"trade-off", "Trade-off of stroke and acceleration",
-                   "The least transmitted acceleration for each stroke, and the design."},
-                  front, traded(result.nearest.figures), units, "acceleration, g", Ink::orange,
-                  [](const design::TradeOff& now) { return now.transmitted; });
-  figure.clauses = {"Each point is the worst within the tolerance of its damper"};
-  return figure;
 }
 
 }  // namespace stillpoint::report

@@ -10,7 +10,7 @@ using design::ShownEnergy;
 namespace {
 
 /// "12 kJ", a part of a whole.
-std::string part_words(double part, double whole, const FigureUnits& units) {
+std::string taken_words(double part, double whole, const FigureUnits& units) {
   return part <= 0 ? "nothing" : part < 1e-3 * whole ? "less than 0.1 %" : units.energy.words(part);
 }
 
@@ -25,10 +25,10 @@ Figure energy_figure(const DrawnMotion& motion, const FigureUnits& units) {
   const bool damped = motion.oscillator.zeta > 0;
   figure.clauses = {
       format("Of the energy of {} at the start, {} took {}{} and the notch {}",
-             units.energy.words(whole), friction, part_words(last.friction, whole, units),
-             damped ? ", damping " + part_words(last.damping, whole, units) : "",
-             part_words(last.notch, whole, units)),
-      format("{} is left {}", part_words(last.left, whole, units),
+             units.energy.words(whole), friction, taken_words(last.friction, whole, units),
+             damped ? ", damping " + taken_words(last.damping, whole, units) : "",
+             taken_words(last.notch, whole, units)),
+      format("{} is left {}", taken_words(last.left, whole, units),
              motion.rest    ? "in the spring"
              : motion.whole ? "at the end"
                             : "where the figure ends")};

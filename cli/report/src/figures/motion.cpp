@@ -35,6 +35,25 @@ void add_limits(Figure& figure, const DrawnMotion& motion, const FigureUnits& un
   }
 }
 
+/// An acceleration over the time of the motion, low below it.
+Figure below_motion(const Figure& named, const auto& accelerations, std::string label, Ink ink,
+                    const DrawnMotion& motion, const FigureUnits& units) {
+  Points points;
+  for (const auto& [tau, value] : accelerations) {
+    points.push_back({tau * units.time, value});
+  }
+  points = thinned(points);
+  const auto [least, most] = extent(points, &FigurePoint::y);
+  Figure figure = over_time(named.id, named.title, motion, units);
+  figure.height = 130;
+  figure.below = true;
+  figure.y = axis_around(std::move(label), least, most);
+  figure.description = format("{}, from {:.4g} g to {:.4g} g.", named.description, least, most);
+  add_lock(figure, motion, units);
+  figure.curves.push_back({"", {std::move(points)}, ink});
+  return figure;
+}
+
 }  // namespace
 
 std::string beginning(const DrawnMotion& motion) {
@@ -50,21 +69,17 @@ Figure over_time(std::string id, const std::string& title, const DrawnMotion& mo
 
 Figure excitation_figure(const Excitation& excitation, const DrawnMotion& motion,
                          const FigureUnits& units) {
-  Points points;
-  for (const auto& [tau, load] : design::shown_load(excitation, motion.shown_to)) {
-    points.push_back({tau * units.time, load});
-  }
-  points = thinned(points);
-  const auto [least, most] = extent(points, &FigurePoint::y);
-  Figure figure = over_time("excitation", "Excitation", motion, units);
-  figure.height = 130;
-  figure.below = true;
-  figure.y = axis_around("base acceleration W, g", least, most);
-  figure.description =
-      format("Acceleration of the base over time, from {:.4g} g to {:.4g} g.", least, most);
-  add_lock(figure, motion, units);
-  figure.curves.push_back({"", {std::move(points)}, Ink::purple});
-  return figure;
+  return below_motion({"excitation", "Excitation", "Acceleration of the base over time"},
+                      design::shown_load(excitation, motion.shown_to), "base acceleration W, g",
+                      Ink::purple, motion, units);
+}
+
+Figure transmitted_figure(const Excitation& excitation, const DrawnMotion& motion,
+                          const FigureUnits& units) {
+  return below_motion({"transmitted", "Transmitted acceleration",
+                       "Acceleration of the mass over time, which the structure feels"},
+                      design::shown_transmitted(motion, excitation), "acceleration, g", Ink::green,
+                      motion, units);
 }
 
 Figure motion_figure(const DrawnMotion& motion, const FigureUnits& units) {

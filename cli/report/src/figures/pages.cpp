@@ -7,8 +7,6 @@
 
 namespace stillpoint::report {
 
-using figures::HtmlPage;
-
 namespace {
 
 /// Of one that moves; of a mass that stands still, only a load that it withstands.
@@ -77,7 +75,10 @@ std::vector<Figure> drawings(const DesignReport& report) {
     return all;
   }
   if (report.trade_off && report.trade_off->size() > 1) {
-    std::ranges::move(trade_off_figures(*report.trade_off, *found, units), std::back_inserter(all));
+    const design::Figures of = design::figures_of(found->response);
+    const auto& [f, delta, tolerance] = found->point;
+    const Traded chosen{{task.problem.p, f, delta}, tolerance, {}, {}, of.peak, of.acceleration};
+    std::ranges::move(trade_off_figures(front_of(report), chosen, units), std::back_inserter(all));
   }
   all.push_back(ends_figure(task, found->point.f, found->point.delta, found->works_for));
   for (Figure& figure : all) {
@@ -109,16 +110,6 @@ std::vector<Figure> drawings(const RegionReport& report) {
 std::vector<Figure> drawings(const MotionReport& report) {
   return drawn(DrawnMotion(design::shown_motion(report.request, report.answer)),
                report.request.excitation, units_of(report.physical), true);
-}
-
-HtmlPage page(const MotionReport& report) {
-  HtmlPage page = page_of(document(report, Verbosity::full));
-  const DrawnMotion motion(design::shown_motion(report.request, report.answer));
-  page.figures = drawn(motion, report.request.excitation, units_of(report.physical), true);
-  page.verdict += page.figures.empty() ? " Nothing moves, so there is nothing to draw."
-                  : motion.whole       ? ""
-                                       : " The figures show the beginning of the motion.";
-  return page;
 }
 
 }  // namespace stillpoint::report

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "choices.hpp"
 #include "figures/motion_figures.hpp"
 #include "figures/report_figures.hpp"
-#include "sections.hpp"
 
 #include <stillpoint/design/suite_view.hpp>
 #include <stillpoint/report/record_design.hpp>
@@ -97,7 +97,8 @@ std::vector<Figure> drawings(const RecordDesignReport& report) {
     return figures;
   }
   if (result.trade_off.size() > 1) {
-    figures.push_back(front_figure(result, units));
+    std::ranges::move(trade_off_figures(front_of(result), traded(result.nearest), units),
+                      std::back_inserter(figures));
   }
   const std::vector<design::LoadCase>& cases = result.request.cases;
   for (std::size_t in_case = 0; in_case < cases.size(); ++in_case) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The maps of a design under records.
+#include "figures/region_figures.hpp"
 #include "figures/report_figures.hpp"
 
 #include <stillpoint/design/suite_view.hpp>
@@ -65,12 +66,6 @@ void add_shades(FigureMap& drawn, const Interval& values, const design::SuiteFig
   }
 }
 
-/// "3 %", "2500 %"
-std::string excess_words(double excess) {
-  constexpr double whole = 0.1;
-  return excess < whole ? format("{:.2g} %", 100 * excess) : format("{:.0f} %", 100 * excess);
-}
-
 void add_faults(FigureMap& drawn, const std::vector<double>& bounds) {
   for (const auto& [name, colours] : faults) {
     const std::size_t first = drawn.palette.size();
@@ -79,7 +74,7 @@ void add_faults(FigureMap& drawn, const std::vector<double>& bounds) {
                                name == faults[never].name || bounds.empty()
                                    ? name
                                    : format("{}, {} to {} over the limits", name,
-                                            excess_words(bounds[i]), excess_words(bounds[i + 1])),
+                                            part_words(bounds[i]), part_words(bounds[i + 1])),
                                name, Hatch::one_way});
     }
     if (std::ranges::any_of(drawn.cells, [first](std::uint8_t cell) {
@@ -95,7 +90,7 @@ std::string excess_clause(const std::vector<double>& bounds, std::string_view wh
   return bounds.empty() || bounds.front() == bounds.back()
              ? ""
              : format("{}the darker, the more the limits are exceeded, by {} to {} in all", where,
-                      excess_words(bounds.front()), excess_words(bounds.back()));
+                      part_words(bounds.front()), part_words(bounds.back()));
 }
 
 /// Without an id and a title.
@@ -184,7 +179,7 @@ Figure region_outline(const design::FeasibleRegion& region, const FigureUnits& u
       places.push_back(f);
       columns.emplace_back();
     }
-    columns.back().push_back({delta.low * unit, delta.high * unit});
+    columns.back().push_back(delta);
     most = std::max(most, delta.high * unit);
   }
   Figure figure;
@@ -204,17 +199,13 @@ Figure region_outline(const design::FeasibleRegion& region, const FigureUnits& u
     const double left = places[from] - (from > 0 ? half : 0);
     const double right = places[end - 1] + (end < columns.size() ? half : 0);
     for (std::size_t k = 0; k < ranges; ++k) {
-      Points outline{{left, columns[from][k].low}};
+      design::PlaneArea area;
+      area.columns.push_back({left, columns[from][k]});
       for (std::size_t i = from; i < end; ++i) {
-        outline.push_back({places[i], columns[i][k].low});
+        area.columns.push_back({places[i], columns[i][k]});
       }
-      outline.push_back({right, columns[end - 1][k].low});
-      outline.push_back({right, columns[end - 1][k].high});
-      for (std::size_t i = end; i-- > from;) {
-        outline.push_back({places[i], columns[i][k].high});
-      }
-      outline.push_back({left, columns[from][k].high});
-      figure.areas.push_back({"feasible", std::move(outline), Ink::sky});
+      area.columns.push_back({right, columns[end - 1][k]});
+      figure.areas.push_back({"feasible", outline(area, unit.factor), Ink::sky});
     }
   }
   return figure;

@@ -102,13 +102,7 @@ struct RegionFigure : ShownTask {
       return "f or Δ must be exact: the damper is within a millionth of an edge of the admissible "
              "region";
     }
-    const auto& [f_low, f_high, delta_low, delta_high] = limits.shape;
-    const bool any_f =
-        f_low + f_high > 0 && !begins_at_nothing(damper->f, region.f_upper.value_or(0));
-    const bool any_delta = delta_low + delta_high > 0;
-    return format("The box shows how far {} be off", !any_f      ? "Δ may"
-                                                     : any_delta ? "f and Δ may both"
-                                                                 : "f may");
+    return "The box shows how far f and Δ may be off";
   }
 
   /// After a hit.

@@ -20,7 +20,5 @@ namespace stillpoint::report {
 /// f or delta was not searched.
 [[nodiscard]] std::vector<Figure> record_maps(const design::RecordDesign& result,
                                               const FigureUnits& units);
-/// Of load cases: acceleration over stroke along the front.
-[[nodiscard]] Figure front_figure(const design::RecordDesign& result, const FigureUnits& units);
 
 }  // namespace stillpoint::report

@@ -125,28 +125,19 @@ FigureAxis figure_axis(const std::string& label, const MapAxis& swept, double un
           middles.scale};
 }
 
-/// Of the colours that are there.
-std::vector<std::string> clauses(const sweep::ClassCounts& counts, const std::string& place) {
-  const bool centred = counts.centred();
-  const bool off = counts.off_centre();
-  const bool locks = counts.of.at(SweepClass::locked) > 0;
-  const std::string words = centred && off
-                                ? format("The mass stops {} in blue areas and off centre in {}",
-                                         place, locks ? "those hatched one way" : "hatched ones")
-                            : centred ? format("The mass stops {} in every blue area", place)
-                            : off     ? format("The mass stops off centre in every {}",
-                                           locks ? "area hatched one way" : "hatched area")
-                                      : "";
-  std::vector<std::string> said;
-  if (!words.empty()) {
-    said = {words, "the darker, the fewer half-cycles it takes"};
-  }
-  if (locks) {
-    said.push_back(
-        format("{} the hatching is crossed, the notch holds the mass while the load goes on",
-               said.empty() ? "Where" : "where"));
-  }
-  return said.empty() ? std::vector<std::string>{"No mass that moves comes to rest"} : said;
+/// What the key does not say.
+std::vector<std::string> clauses(const sweep::ClassCounts& counts) {
+  const bool rests = counts.centred() || counts.off_centre();
+  const std::string locks =
+      counts.of.at(SweepClass::locked) == 0
+          ? ""
+          : format(
+                "{}here the hatching is crossed, the notch holds the mass while the load goes on",
+                rests ? "w" : "W");
+  return {rests           ? "The darker an area, the fewer half-cycles the mass takes to stop"
+          : locks.empty() ? "No mass that moves comes to rest"
+                          : "",
+          locks};
 }
 
 }  // namespace
@@ -185,7 +176,7 @@ std::vector<Figure> drawings(const SweepReport& report) {
           100.0 * static_cast<double>(counts.of.at(i)) / static_cast<double>(map.cells().size()));
     }
   }
-  figure.clauses = clauses(counts, place);
+  figure.clauses = clauses(counts);
   if (any_peaks) {
     figure.clauses.emplace_back(
         "the values are peaks, the darker, the smaller where the motions end alike");

@@ -12,6 +12,40 @@
 
 #include <stillpoint/report/record_design.hpp>
 
+namespace stillpoint {
+
+template <>
+inline constexpr auto fields<report::Traded> = [] {
+  using Now = report::Traded;
+  return std::tuple_cat(
+      fields<design::SuiteDamper>,
+      std::tuple{Field{"tolerance", &Now::tolerance, "null where it is the one asked for"},
+                 Field{"peak_amplitude", &Now::peak, "", with_si(Dimension::length, "peak_m")},
+                 Field{transmitted_name, &Now::transmitted},
+                 Field{"residual", &Now::residual, "null after a hit", in_metres},
+                 Field{"stop_time", &Now::stop_time, "", with_si(Dimension::time)}});
+}();
+
+template <>
+inline constexpr auto fields<design::WorksFor> = [] {
+  using Now = design::WorksFor;
+  using Load = design::ServedLoad;
+  constexpr auto of_load = [](Load which) {
+    return only_if([which](const auto& now) { return now.load == which; }, &Now::hit);
+  };
+  return std::tuple{
+      Field{"v0", of_load(Load::v0)}, Field{"k", of_load(Load::k), "of a pulse"},
+      Field{"scale", of_load(Load::scale), "of records, and of all loads of several cases"},
+      Field{"p", &Now::p}};
+}();
+
+template <>
+inline constexpr auto fields<design::FeasibleDelta> =
+    std::tuple{Field{"f", &design::FeasibleDelta::f},
+               Field{"delta", &design::FeasibleDelta::delta, "", in_metres}};
+
+}  // namespace stillpoint
+
 namespace stillpoint::report {
 
 inline constexpr auto load_types = [] {
@@ -158,33 +192,6 @@ struct ShownCase {
       Field{"motions", &Now::motions, "of the damper itself"}};
 };
 
-struct ShownServed : design::WorksFor {
-  using Now = ShownServed;
-  using Load = design::ServedLoad;
-  static constexpr auto of_load = [](Load which) {
-    return only_if([which](const auto& now) { return now.load == which; }, &Now::hit);
-  };
-  static constexpr std::tuple field_table{
-      Field{"v0", of_load(Load::v0)}, Field{"k", of_load(Load::k), "of a pulse"},
-      Field{"scale", of_load(Load::scale), "of records, and of all loads of several cases"},
-      Field{"p", &Now::p}};
-};
-
-/// A damper of a front.
-struct ShownTradeOff : design::SuiteDamper {
-  IfReal tolerance{}, residual{}, stop_time{};
-  double peak{0}, transmitted{0};
-
-  using Now = ShownTradeOff;
-  static constexpr auto field_table = std::tuple_cat(
-      fields<design::SuiteDamper>,
-      std::tuple{Field{"tolerance", &Now::tolerance, "null where it is the one asked for"},
-                 Field{"peak_amplitude", &Now::peak, "", with_si(Dimension::length, "peak_m")},
-                 Field{transmitted_name, &Now::transmitted},
-                 Field{"residual", &Now::residual, "null after a hit", in_metres},
-                 Field{"stop_time", &Now::stop_time, "", with_si(Dimension::time)}});
-};
-
 struct ShownPart : design::RatedPart {
   Name why{};
 
@@ -200,6 +207,12 @@ struct ShownPart : design::RatedPart {
       Field{"why", &Now::why, "it is not admissible; null if it is", any_number},
       Field{"violates", [](const auto& now) { return now.violated; }}};
 };
+[[nodiscard]] inline std::vector<ShownPart> shown_parts(const std::vector<design::RatedPart>& parts,
+                                                        const Physical& physical) {
+  return mapped(parts, [&physical](const design::RatedPart& rated) {
+    return ShownPart{rated, rated.admissible ? Name() : judgement(rated, physical)};
+  });
+}
 
 /// A motion that was tried with a notch as built.
 [[nodiscard]] inline ShownLoaded tried(const design::TriedMotion& of) {
@@ -232,15 +245,6 @@ struct ShownNotch {
       Field{"largest_acceleration", worst(&Worst::felt), "the notch included"}};
 };
 
-/// A range in which each delta is feasible with that f.
-struct ShownFeasible {
-  double f{0};
-  Interval delta{};
-
-  static constexpr std::tuple field_table{Field{"f", &ShownFeasible::f},
-                                          Field{"delta", &ShownFeasible::delta, "", in_metres}};
-};
-
 struct AnswerSi;
 
 struct ShownAnswer {
@@ -256,15 +260,15 @@ struct ShownAnswer {
   IfReal largest_tolerance{};
   const design::RegionVerdict* region{nullptr};
   const std::vector<design::Strip>* strips{nullptr};
-  std::optional<std::vector<ShownFeasible>> feasible{};
+  const std::vector<design::FeasibleDelta>* feasible{nullptr};
   std::span<const design::Mend> mends{};
   const design::SuitePoint* nearest{nullptr};
   std::optional<std::vector<design::Hits>> hits{};
   const design::PulseCheck* pulse{nullptr};
   std::optional<ShownNotch> built_notch{};
   std::optional<std::vector<ShownPart>> catalogue{};
-  std::optional<std::vector<ShownTradeOff>> trade_off{};
-  std::optional<ShownServed> works_for{};
+  std::optional<std::vector<Traded>> trade_off{};
+  const design::WorksFor* works_for{nullptr};
   const design::SuiteOutlook* outlook{nullptr};
   const design::SearchRecord* search{nullptr};
   const design::CrossCheck* cross_check{nullptr};
@@ -334,8 +338,8 @@ struct AnswerSi : Si {
   /// What would mend an empty region; empty if that input alone cannot.
   [[nodiscard]] IfReal mended(std::string_view field, bool by_stiffness) const;
   [[nodiscard]] std::optional<design::PhysicalWorksFor> works_for() const {
-    const auto& served = answer->works_for;
-    return served ? std::optional(physical_works_for(scales(), *served)) : std::nullopt;
+    const auto* const served = answer->works_for;
+    return served != nullptr ? std::optional(physical_works_for(scales(), *served)) : std::nullopt;
   }
 
   static constexpr auto mend = [](std::string_view field, bool by_stiffness = false) {
@@ -349,7 +353,8 @@ struct AnswerSi : Si {
   };
   static constexpr auto of_hit = [](const auto& now) { return !now.answer->input.pulse; };
   static constexpr auto serves_hits = [](const auto& now) {
-    return now.answer->works_for && now.answer->works_for->load == design::ServedLoad::v0;
+    const auto* const served = now.answer->works_for;
+    return served != nullptr && served->load == design::ServedLoad::v0;
   };
   static constexpr auto rows = [](const std::vector<design::Hits>& hits) {
     return mapped(hits, [](const design::Hits& row) { return HitsSi{row}; });

@@ -3,8 +3,6 @@
 
 #include "json/answer_fields.hpp"
 
-#include <stillpoint/design/shown_damper.hpp>
-
 namespace stillpoint::report {
 
 namespace {
@@ -62,16 +60,12 @@ ShownAnswer answer_of(const Report& report, const ShownTask& task,
                   .mends = region.mends};
   if (judged != nullptr) {
     now.constraints = judged->constraints;
-    if (judged->works_for) {
-      now.works_for = ShownServed{*judged->works_for};
-    }
+    now.works_for = judged->works_for ? &*judged->works_for : nullptr;
   }
   now.cases.push_back({.load = {task.pulse ? design::name(*task.pulse) : "hit"}});
   if (const auto& catalogue = report.catalogue) {
     now.input.catalogue = spelled_out(catalogue->file);
-    now.catalogue = mapped(catalogue->parts, [&](const design::RatedPart& rated) {
-      return ShownPart{rated, rated.admissible ? Name() : judgement(rated, task)};
-    });
+    now.catalogue = shown_parts(catalogue->parts, task.physical);
   }
   return now;
 }
@@ -170,14 +164,7 @@ ShownAnswer shown(const DesignReport& report) {
   ShownAnswer now =
       answer_of(report, task_of(report), result, result.finding ? &*result.finding : nullptr);
   if (report.trade_off) {
-    now.trade_off = mapped(*report.trade_off, [&](const design::TradeOff& of) {
-      return ShownTradeOff{{request.problem.p, of.damper.f, of.damper.delta},
-                           of.damper.tolerance,
-                           {},
-                           of.stop_time,
-                           of.peak_amplitude,
-                           of.transmitted};
-    });
+    now.trade_off = front_of(report);
   }
   now.input.v0 = request.pulse ? result.reduced_v0 : std::optional(request.problem.v0);
   if (now.input.v0 && report.physical) {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "choices.hpp"
 #include "json/answer_fields.hpp"
-
-#include <algorithm>
 
 namespace stillpoint::report {
 
@@ -124,11 +121,6 @@ ShownCase shown_case(const design::RecordDesign& result, std::size_t index) {
   return shown;
 }
 
-ShownTradeOff shown_trade_off(const design::SuitePoint& point) {
-  const design::SuiteFigures worst = largest(point.figures);
-  return {point.damper, {}, worst.residual, {}, worst.peak, worst.acceleration};
-}
-
 }  // namespace
 
 ShownAnswer shown(const RecordDesignReport& report) {
@@ -146,28 +138,20 @@ ShownAnswer shown(const RecordDesignReport& report) {
   }
   if (request.trade_offs > 0) {
     now.input.trade_off = request.trade_offs;
-    now.trade_off = mapped(result.trade_off, &shown_trade_off);
+    now.trade_off = front_of(result);
   }
   if (!request.parts.empty()) {
     now.input.catalogue = spelled_out(report.parts_file);
-    now.catalogue = mapped(result.parts, [&](const design::RatedPart& rated) {
-      return ShownPart{rated, rated.admissible ? Name()
-                                               : broken(rated.violated, report.physical,
-                                                        request.tolerance.exact())};
-    });
+    now.catalogue = shown_parts(result.parts, report.physical);
   } else if (request.judges) {
     now.admissible = result.finding && result.finding->admissible;
   }
   if (result.region) {
     now.search = nullptr;
-    now.feasible = mapped(result.region->deltas, [](const design::FeasibleDelta& each) {
-      return ShownFeasible{each.f, each.delta};
-    });
+    now.feasible = &result.region->deltas;
   }
   if (const auto& finding = result.finding) {
-    if (finding->works_for) {
-      now.works_for = ShownServed{*finding->works_for};
-    }
+    now.works_for = finding->works_for ? &*finding->works_for : nullptr;
     now.design = boxed_damper(*finding, result.largest_tolerance);
     now.outlook = &finding->outlook;
     now.cross_check = &finding->cross_check;

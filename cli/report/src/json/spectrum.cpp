@@ -120,35 +120,28 @@ std::vector<ordered_json> rows_of(const SpectrumReport& report) {
 
 }  // namespace
 
-std::string spectrum_csv(const SpectrumReport& report) {
-  std::string names;
-  std::string text;
-  for (const ordered_json& row : rows_of(report)) {
-    names.clear();
-    for (const auto& [name, value] : row.items()) {
-      names += name + ",";
-      text += value.is_null() ? "," : fmt::format("{},", value.get<double>());
-    }
-    names.back() = text.back() = '\n';
-  }
-  return names + text;
-}
-
-std::string spectrum_npy(const SpectrumReport& report) {
+std::string spectrum_rows(const SpectrumReport& report, bool npy) {
   const std::vector<ordered_json> rows = rows_of(report);
   std::string names;
-  std::string bytes;
+  std::string cells;
   for (const ordered_json& row : rows) {
     names.clear();
     for (const auto& [name, value] : row.items()) {
       constexpr double none = std::numeric_limits<double>::quiet_NaN();
-      const auto number = std::bit_cast<std::array<char, sizeof(double)>>(
-          value.is_null() ? none : value.get<double>());
-      names += sweep::npy_number(name);
-      bytes.append(number.data(), number.size());
+      const double number = value.is_null() ? none : value.get<double>();
+      names += npy ? sweep::npy_number(name) : name + ",";
+      if (npy) {
+        const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(number);
+        cells.append(bytes.data(), bytes.size());
+      } else {
+        cells += value.is_null() ? "," : fmt::format("{},", number);
+      }
+    }
+    if (!npy) {
+      names.back() = cells.back() = '\n';
     }
   }
-  return sweep::npy_header(names, std::ssize(rows)) + bytes;
+  return (npy ? sweep::npy_header(names, std::ssize(rows)) : names) + cells;
 }
 
 nlohmann::ordered_json json(const SpectrumReport& report) {

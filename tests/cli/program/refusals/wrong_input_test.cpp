@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 #include "options/command_line.hpp"
-#include "options/options.hpp"
 #include "wrong_arguments.hpp"
 
 BOOST_AUTO_TEST_SUITE(wrong_input_test)

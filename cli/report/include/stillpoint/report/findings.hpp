@@ -11,10 +11,15 @@
 
 #include <optional>
 #include <span>
-#include <string>
 
 namespace stillpoint::report {
 
+/// A pattern of data/words, filled with values {name} or {name:form}. Of [one|other] stands the
+/// first of which all values exist, if any. {name?} has no words and exists if the value does,
+/// {name=other?} if it is that text or has the value of that name.
+[[nodiscard]] std::string filled(std::string_view pattern,
+                                 std::span<const design::FindingValue> values,
+                                 const std::optional<design::PhysicalInput>& physical);
 [[nodiscard]] std::string words(const design::Finding& finding,
                                 const std::optional<design::PhysicalInput>& physical);
 

@@ -11,9 +11,6 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace stillpoint::report {
 

@@ -8,9 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <string>
-#include <vector>
-
 namespace stillpoint::report {
 
 /// What a sweep without rows found. Nothing in it depends on how it was computed, so the reports of

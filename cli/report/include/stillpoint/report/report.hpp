@@ -12,7 +12,6 @@
 #include <stillpoint/design/physical.hpp>
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/trade_off.hpp>
-#include <stillpoint/figures/html_page.hpp>
 #include <stillpoint/peers/comparison.hpp>
 #include <stillpoint/report/document.hpp>
 
@@ -20,8 +19,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace stillpoint::report {
 
@@ -104,8 +101,6 @@ struct AccuracyReport {
 [[nodiscard]] std::vector<figures::Figure> drawings(const DesignReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const RegionReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const MotionReport& report);
-/// Which says where they do not show all.
-[[nodiscard]] figures::HtmlPage page(const MotionReport& report);
 
 /// A state of a trajectory in metres and seconds as well.
 struct PhysicalState {

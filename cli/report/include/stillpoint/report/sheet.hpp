@@ -7,9 +7,6 @@
 #include <stillpoint/report/record_design.hpp>
 #include <stillpoint/report/report.hpp>
 
-#include <optional>
-#include <string>
-
 namespace stillpoint::report {
 
 struct SheetFrame : PageFrame {

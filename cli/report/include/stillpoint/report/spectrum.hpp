@@ -10,9 +10,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <string>
-#include <vector>
-
 namespace stillpoint::report {
 
 struct SpectrumReport {
@@ -27,9 +24,8 @@ struct SpectrumReport {
 [[nodiscard]] nlohmann::ordered_json json(const SpectrumReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const SpectrumReport& report);
 
-/// A row for each record and period. A value that does not exist is left out in CSV and NaN in
-/// NumPy's format.
-[[nodiscard]] std::string spectrum_csv(const SpectrumReport& report);
-[[nodiscard]] std::string spectrum_npy(const SpectrumReport& report);
+/// A row for each record and period, as CSV or in NumPy's format. A value that does not exist is
+/// left out in the one and NaN in the other.
+[[nodiscard]] std::string spectrum_rows(const SpectrumReport& report, bool npy);
 
 }  // namespace stillpoint::report

@@ -6,13 +6,10 @@
 #include <stillpoint/report/schemas.hpp>
 #include <stillpoint/sweep/quantity.hpp>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <regex>
-#include <string>
-#include <string_view>
 #include <type_traits>
 
 namespace stillpoint::cli {
