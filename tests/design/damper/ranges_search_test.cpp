@@ -62,6 +62,24 @@ BOOST_AUTO_TEST_CASE(a_box_reaches_the_largest_f_that_returns_with_its_upper_par
   }
 }
 
+/// With the ranges and the residual the soonest stop is at the limit on Delta.
+BOOST_AUTO_TEST_CASE(no_damper_with_the_largest_delta_stops_the_mass_sooner) {
+  Problem problem{1, 1, 2, Criterion::exact, 5};
+  problem.v0_low = 0.7297;
+  problem.residual = 0.0379;
+  const Limits limits{.f_max = 0.2257, .delta_max = 0.08806};
+  const auto stop_time = [&](double f, double delta) {
+    return free_response({1, f, delta}, {0, 1}).stop_time.value();
+  };
+  const DesignPoint found = search(problem, limits, {.objective = Objective::time}).value().point;
+  const double least = stop_time(found.f, found.delta);
+  const double inside = *limits.delta_max * (1 - 1e-8);
+  for (int i = 0; i <= 3000; ++i) {
+    const double f = 0.11 + 1e-6 * i;
+    BOOST_TEST((!admissible(problem, limits, f, inside) || least <= stop_time(f, inside)), f);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(no_point_of_a_scan_is_better) {
   constexpr double more = 1e-3;  // of R or of a cost, relative
   int found_some = 0;
