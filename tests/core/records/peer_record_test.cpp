@@ -16,29 +16,18 @@ BOOST_AUTO_TEST_CASE(description_of_a_peer_record_is_its_titles) {
 }
 
 BOOST_AUTO_TEST_CASE(description_is_short_and_printable) {
-  const std::string tail = "\n" + quantity + "NPTS= 3, DT= .02 SEC\n" + three;
-  BOOST_TEST(file_of("a.AT2", std::string(999, 'x') + tail).description ==
-             std::string(200, 'x') + "...");
-  BOOST_TEST(file_of("a.AT2",
-                     "Ni\xC4\x9F"
-                     "de" +
-                         tail,
-                     {})
-                 .description ==
-             "Ni\xC4\x9F"
-             "de");
-  BOOST_TEST(file_of("a.AT2",
-                     "Ni\xF0"
-                     "de\fX" +
-                         tail,
-                     {})
-                 .description == "Ni?de?X");
+  const auto described = [](const std::string& title) {
+    return file_of("a.AT2", title + "\n" + quantity + "NPTS= 3, DT= .02 SEC\n" + three).description;
+  };
+  BOOST_TEST(described(std::string(999, 'x')) == std::string(200, 'x') + "...");
+  BOOST_TEST(described("Ni\xC4\x9F-de") == "Ni\xC4\x9F-de");
+  BOOST_TEST(described("Ni\xF0-de\fX") == "Ni?-de?X");
   // 1 + 2 * 100 bytes: the last letter does not fit.
   std::string letters = "x";
   for (int i = 0; i < 100; ++i) {
     letters += "\xC3\xA9";
   }
-  BOOST_TEST(file_of("a.AT2", letters + tail).description == letters.substr(0, 199) + "...");
+  BOOST_TEST(described(letters) == letters.substr(0, 199) + "...");
 }
 
 BOOST_AUTO_TEST_CASE(peer_record_is_refused) {
