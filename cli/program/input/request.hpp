@@ -77,7 +77,7 @@ void shape_box(const Settings& settings, design::Limits& limits);
 template <class Objective>
 [[nodiscard]] Objective objective_of(const Settings& settings, Objective usual,
                                      std::string_view where) {
-  const auto wanted = settings.text("objective");
+  const auto wanted = settings.known("objective");
   const auto objective = wanted ? parse<Objective>(*wanted) : std::optional(usual);
   if (!objective) {
     throw InputError("objective", *wanted, records::must_be(*wanted, names<Objective>(), where));

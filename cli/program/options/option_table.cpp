@@ -63,7 +63,7 @@ std::string with_default(std::span<const std::string_view> values) {
 std::string objectives_in_help() {
   std::vector<std::string_view> of_records = names<design::SuiteObjective>();
   std::erase(of_records, name(design::SuiteObjective::time));
-  return fmt::format("{}; under records {}", with_default(names<design::Objective>()),
+  return fmt::format("{}; under records {}", with_default(all_objectives()),
                      with_default(of_records));
 }
 
