@@ -53,6 +53,10 @@ std::string requirement(const design::Constraint& now, const FigureUnits& units)
                 with_blank(unit_name));
 }
 
+std::string need(const design::Constraint& now, const FigureUnits& units) {
+  return (nothing_meets(now) ? "" : "needs ") + requirement(now, units);
+}
+
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical, std::string_view of_what) {
   if (constraints.empty()) {

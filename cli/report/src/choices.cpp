@@ -16,7 +16,20 @@ constexpr std::size_t most_rows = 12;  // with the answer, a screen
 constexpr std::size_t most_parts = 10;
 constexpr std::size_t most_misses = 4;  // parts that are not admissible: each has several lines
 
-/// "it violates return (f <= 0.353553)", "the stroke is 412 mm where 400 mm is allowed".
+/// What a constraint on f or delta is for.
+std::string purpose(std::string_view constraint) {
+  return constraint == "return"         ? "the mass does not come back"
+         : constraint == "amplitude"    ? "the mass swings too far"
+         : constraint == "stop"         ? "the mass passes x = 0"
+         : constraint == "start"        ? "the load does not move the mass"
+         : constraint == "residual"     ? "the mass rests too far off centre"
+         : constraint == "dead_zone"    ? "friction could hold the mass beyond its stroke"
+         : constraint == "acceleration" ? std::string("the structure feels too much")
+                                        : format("the {} is exceeded", in_words(constraint));
+}
+
+/// "the mass does not come back (needs f <= 0.353553)", "the stroke is 412 mm where 400 mm is
+/// allowed".
 std::string violation(const design::Constraint& now, const Physical& physical) {
   const auto* const kind =
       std::ranges::find(design::suite_figure_kinds, now.name, &design::SuiteFigureKind::constraint);
@@ -27,7 +40,7 @@ std::string violation(const design::Constraint& now, const Physical& physical) {
       : kind != design::suite_figure_kinds.end() && kind->variable == now.variable
           ? format("the {} is {}", kind->words,
                    beyond(physical, now.dimension(), now.value, now.limit))
-          : format("it violates {} ({})", in_words(now.name), requirement(now, units_of(physical)));
+          : format("{} ({})", purpose(now.name), need(now, units_of(physical)));
   return words + (now.in_case.empty() ? "" : " in case " + now.in_case);
 }
 

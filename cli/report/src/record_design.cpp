@@ -243,6 +243,7 @@ std::string region_words(const design::RecordDesign& result, const Physical& phy
     return format("Feasible f{}: {}.", asked, feasible_words(feasible_f));
   }
   std::vector<Interval> all;
+  all.reserve(deltas.size());
   for (const auto& [each, delta] : deltas) {
     all.push_back(unbounded(result, delta));
   }

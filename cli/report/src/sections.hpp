@@ -142,6 +142,8 @@ void add_start(Section& answer, double least_width, const Response& response,
 [[nodiscard]] bool returns(std::span<const design::Constraint> constraints);
 /// "delta <= 8.1577 mm", rounded so that what is as printed meets it.
 [[nodiscard]] std::string requirement(const design::Constraint& now, const FigureUnits& units);
+/// "needs delta <= 8.1577 mm"
+[[nodiscard]] std::string need(const design::Constraint& now, const FigureUnits& units);
 /// Each with its slack: by how much a damper meets or misses it.
 void add_constraints(Document& document, std::span<const design::Constraint> constraints,
                      const Physical& physical, std::string_view of_what = {});

@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <ranges>
 #include <sstream>
 
 namespace stillpoint::cli_test {
@@ -14,9 +13,9 @@ namespace stillpoint::cli_test {
 namespace {
 
 std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> parts;
-  for (const auto& part : line | std::views::split(',')) {
-    parts.emplace_back(part.begin(), part.end());
+  std::vector<std::string> parts(1);
+  for (const char sign : line) {
+    sign == ',' ? static_cast<void>(parts.emplace_back()) : parts.back().push_back(sign);
   }
   return parts;
 }

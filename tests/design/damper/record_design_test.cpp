@@ -312,8 +312,8 @@ BOOST_AUTO_TEST_CASE(each_mend_suffices) {
       }
     }
     for (std::size_t k = 0; k < none.constraints.size() && request.cases.size() == 1; ++k) {
-      const auto kind = std::ranges::find(suite_figure_kinds, none.constraints[k].name,
-                                          &SuiteFigureKind::constraint);
+      const auto* const kind = std::ranges::find(suite_figure_kinds, none.constraints[k].name,
+                                                 &SuiteFigureKind::constraint);
       BOOST_TEST((kind == suite_figure_kinds.end() ||
                   none.constraints[k].value == none.nearest.figures.front().*kind->value));
     }

@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(that_is_not_valid_names_the_field) {
     spoil(spec);
     check_refused(spec, field);
   };
-  const auto with = [](Quantity input, std::vector<double> values) {
+  const auto with = [](Quantity input, const std::vector<double>& values) {
     return [=](SweepSpec& spec) { spec.axes.push_back({input, Axis(values)}); };
   };
   refused("delta", [](auto& spec) { spec.axes.pop_back(); });  // missing
