@@ -215,8 +215,8 @@ test("what the program says of the damper, the page says too", () =>
       [`${plain}&objective=time`, /^The damper found has f = /],
       ["v0=1&p=1&beta=3&objective=acceleration", /^The damper found has as little constant /],
       [`${isolator}&f=0.03&delta-m=4mm`, /^The damper is admissible: /],
-      [`${plain}&f=0.5&delta=0.3`, /^The damper is not admissible: it rests off centre \(/],
-      [`${plain}&f=0.3&delta=0.0001`, /^The damper is not admissible: it passes x = 0 \(/],
+      [`${plain}&f=0.5&delta=0.3`, /^The damper is not admissible: the mass does not come back \(/],
+      [`${plain}&f=0.3&delta=0.0001`, /^The damper is not admissible: the mass passes x = 0 \(/],
     ])) {
       await go(page, state);
       assert.equal(await notice(page), "", state);

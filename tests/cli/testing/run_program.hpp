@@ -58,7 +58,7 @@ struct Surroundings {
   /// Sends `signal` once this holds; it is asked every millisecond.
   std::function<bool()> signal_when{};
   int signal{SIGINT};
-  std::chrono::seconds patience{120};
+  std::chrono::seconds patience{300};
 };
 
 /// A directory that lives as long as the test and in which the program runs. A fixture.
