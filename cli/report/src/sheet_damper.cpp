@@ -45,10 +45,11 @@ Column column(std::string_view name, const Unit& unit, double value, const Inter
 
 /// Friction over the weight has a force only with a mass; else it is one per mass.
 Unit friction_unit(const Physical& physical) {
-  return !physical            ? Unit{}
-         : has_mass(physical) ? units_of(physical).force
-                              : Unit{physical->scales.gravity_m_per_s2 * read_in(physical, "m/s²"),
-                                     read_in(physical, "m/s²").name};
+  if (!physical || has_mass(physical)) {
+    return units_of(physical).force;
+  }
+  const Unit read = read_in(physical, "m/s²");
+  return {physical->scales.gravity_m_per_s2 * read, read.name};
 }
 
 Table damper_table(const Specified& of) {

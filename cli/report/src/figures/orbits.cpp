@@ -24,7 +24,7 @@ double largest(const std::vector<ShownForce>& all, double ShownForce::*force) {
   return std::max(most, -least);
 }
 
-/// Of the points in the plane of displacement and `y`, which is up to `most` to either side.
+/// Of the points in the plane of displacement and what `y` bounds.
 Figure orbit_figure(std::string id, const std::string& title, const design::ShownOrbit& orbit,
                     const DrawnMotion& motion, const Points& points, const FigureUnits& units,
                     std::string y_label, const Interval& y) {

@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 /// Of the phase p t. The error of a step is (p h)^5/120 of the motion, so 5e-16 for each radian:
 /// close decisions amplify it up to a millionfold. A slip as short as a step is off by
-/// (p h)^2/20 of itself, so 1e-8.
+/// (p h)^2/20 of itself, so 1e-8. Of a pulse, a part of its length.
 constexpr double phase_step = 1.0 / 2000;
 
 /// The largest |W| after tau = `from`, which a mass held for ever feels.
