@@ -5,6 +5,7 @@
 
 #include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/report/page_frame.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/part_label.hpp>
 
 #include <filesystem>
@@ -230,6 +231,16 @@ sweep::RowFormat row_format(const Settings& settings) {
                                                                  : sweep::RowFormat::csv);
 }
 
+/// Rows whose format is not asked for have that of the ending; a device or a pipe may have none.
+void require_ending(const Settings& settings) {
+  const std::string output = settings.text("output").value_or("-");
+  const bool needs_none = settings.has("format") || settings.flag("reduce") || output.empty() ||
+                          output == "-" || sweep::is_special_file(output);
+  if (!needs_none && !output.ends_with(".csv") && !output.ends_with(".npy")) {
+    throw InputError("output", output, "must end in .csv or .npy, or give --format csv or npy");
+  }
+}
+
 }  // namespace
 
 void resolve_part(Settings& settings) {
@@ -273,6 +284,7 @@ SweepSpec sweep_request(const Settings& given) {
   spec.identity =
       identity_of(spec, inputs(settings, Command::sweep).dump(), report::program_version());
   require_valid(spec);
+  require_ending(settings);
   return spec;
 }
 

@@ -10,7 +10,7 @@ using namespace stillpoint::cli_test;
 using right::design;
 
 /// The locked motion is a remark on standard error, the report goes to standard output.
-const Arguments sweep("sweep --v0 1 --p 1 --f 0.1 --delta 0:1:5 --output");
+const Arguments sweep("sweep --v0 1 --p 1 --f 0.1 --delta 0:1:5 --format csv --output");
 const Arguments locks(
     "simulate --v0 0.1 --p 1 --f 0.05 --delta 0.3 --excitation harmonic --k 0.2 --lambda 0.35 "
     "--t-end 100 --output");

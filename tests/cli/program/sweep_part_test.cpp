@@ -155,20 +155,20 @@ BOOST_AUTO_TEST_CASE(whose_seal_has_non_integers_are_refused) {
 BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
   const Arguments names = split(grid, 2);
   const auto check_foreign = [&](const Arguments& sweep, Texts says) {
-    static_cast<void>(run(sweep + "--part 2/2 --output foreign"));
-    says.insert(says.end(), {"foreign", names[1]});
-    check_refused({names[1], "foreign"}, says);
-    fs::remove(path("foreign"));
+    static_cast<void>(run(sweep + "--part 2/2 --output foreign.csv"));
+    says.insert(says.end(), {"foreign.csv", names[1]});
+    check_refused({names[1], "foreign.csv"}, says);
+    fs::remove(path("foreign.csv"));
   };
   Arguments other = grid;
   other[6] = "0.02:0.36:13";
   check_foreign(other, {"f was", "0.02:0.36:13"});
   check_foreign(grid + "--times", {"columns"});
   check_foreign(grid + "--format npy", {"format"});
-  static_cast<void>(run(grid + "--part 3/3 --output foreign"));
-  check_refused({names[1], "foreign"}, {"foreign", "3/3", names[1], "1/2"});
-  static_cast<void>(run(grid + "--output foreign"));  // not in parts
-  check_refused({names[1], "foreign"}, {"foreign", "not a complete part"});
+  static_cast<void>(run(grid + "--part 3/3 --output foreign.csv"));
+  check_refused({names[1], "foreign.csv"}, {"foreign.csv", "3/3", names[1], "1/2"});
+  static_cast<void>(run(grid + "--output foreign.csv"));  // not in parts
+  check_refused({names[1], "foreign.csv"}, {"foreign.csv", "not a complete part"});
 }
 
 BOOST_AUTO_TEST_CASE(of_a_list_that_has_changed_are_refused) {
