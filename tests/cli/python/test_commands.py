@@ -131,7 +131,7 @@ def test_text_matches_the_program(program):
     ("sweep", {"v0": 1, "p": 1, "f": "0:0.3:20", "delta": "0:0.4:20"}, 1)])
 def test_notebook_shows_the_figures_of_the_page(program, command, options, figures):
     html = getattr(stillpoint, command)(**options)._repr_html_()
-    program.run(command, svg="drawn", **options, **({"output": "rows"} if command == "sweep" else {}))
+    program.run(command, svg="drawn", **options, **({"output": "rows.csv"} if command == "sweep" else {}))
     drawn = sorted((program.folder / "drawn").iterdir())
     assert len(drawn) == figures
     for figure in drawn:
