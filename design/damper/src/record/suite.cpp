@@ -2,6 +2,7 @@
 #include "record/suite.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
+#include <stillpoint/core/free_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/record_batch.hpp>
 
@@ -76,11 +77,22 @@ void Suite::combine(SuiteFigures& all) const {
   all = all.settled ? all : unsettled;
 }
 
+/// A damped hit, whose half-cycles then need no pieces; the bits of others are those of a run.
+bool Suite::moves_freely(const CaseMotion& motion, const SuiteDamper& damper) const {
+  return std::holds_alternative<NoExcitation>(motion.load) && !damper.notch_width() &&
+         oscillator(damper).zeta > 0;
+}
+
 SuiteFigures Suite::under(const CaseMotion& motion, const SuiteDamper& damper) const {
   SuiteFigures figures = unsettled;
   try {
     const double of_load = part(damper);
-    const ForcedResponse one = response(damper, of_load < 1 ? weakened(motion, of_load) : motion);
+    const CaseMotion now = of_load < 1 ? weakened(motion, of_load) : motion;
+    const ForcedResponse one =
+        moves_freely(now, damper)
+            ? ForcedResponse{free_response(oscillator(damper), now.start,
+                                           {.half_cycle_limit = most_suite_half_cycles})}
+            : response(damper, now);
     if (one.stop_position && rests_in_time(one.half_cycles.value())) {
       figures = suite_figures(one);
       figures.late = periods_after(motion.load, one.stop_time.value(), damper.p);

@@ -78,6 +78,7 @@ class Suite {
   void run(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list) const;
   void run_at_once(std::span<const SuiteDamper> dampers, std::span<SuiteFigures> list,
                    const Threads& threads) const;
+  [[nodiscard]] bool moves_freely(const CaseMotion& motion, const SuiteDamper& damper) const;
   [[nodiscard]] ForcedResponse response(const SuiteDamper& damper, const CaseMotion& motion) const;
 
   std::vector<CaseMotion> motions_;
