@@ -30,9 +30,9 @@ struct ForcedOptions {
 struct ForcedResponse : Response {
   /// The tau where the run ended: t_end, or the stop_time. Empty if the motion never stops and no
   /// t_end was given; so are the next two.
-  std::optional<double> end_time;
-  std::optional<double> final_position;
-  std::optional<double> final_velocity;
+  std::optional<double> end_time{};
+  std::optional<double> final_position{};
+  std::optional<double> final_velocity{};
   /// Rests of positive length in which friction holds the mass for a while. One cut short by the
   /// end of the run counts; a final rest does not.
   double sticks{0};
@@ -42,8 +42,8 @@ struct ForcedResponse : Response {
   bool left_notch_from_rest{false};
   /// The tau from which the notch holds the mass at x = 0 although W goes on: since it came there,
   /// or since the start. Empty if it does not, or if W is 0 from then on; so is the next.
-  std::optional<double> locked_from;
-  std::optional<double> largest_load_while_locked;  ///< |W| in g, which the structure then feels
+  std::optional<double> locked_from{};
+  std::optional<double> largest_load_while_locked{};  ///< |W| in g, which the structure then feels
   bool cancelled{false};                            ///< go_on returned false
 
   [[nodiscard]] bool locks() const { return locked_from.has_value(); }
