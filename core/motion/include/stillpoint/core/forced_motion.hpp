@@ -44,7 +44,7 @@ struct ForcedResponse : Response {
   /// or since the start. Empty if it does not, or if W is 0 from then on; so is the next.
   std::optional<double> locked_from{};
   std::optional<double> largest_load_while_locked{};  ///< |W| in g, which the structure then feels
-  bool cancelled{false};                            ///< go_on returned false
+  bool cancelled{false};                              ///< go_on returned false
 
   [[nodiscard]] bool locks() const { return locked_from.has_value(); }
   [[nodiscard]] bool operator==(const ForcedResponse&) const = default;
