@@ -61,73 +61,69 @@ class NotingIterator {
 
 /// Scans a text for what json::parse ignores or reports badly: equal keys, of which it keeps the
 /// last; deep values, which it would print by recursion until the stack overflows; and numbers
-/// beyond a double. Throws FileError. The parser calls a function for each part of the
-/// text.
+/// beyond a double. Throws FileError.
 class JsonCheck {
  public:
   JsonCheck(std::string_view text, const records::FilePlace& file)
-      : text_(text), file_(file), read_(text.data()) {
-    json::sax_parse(NotingIterator(text.data(), read_),
-                    NotingIterator(text.data() + text.size(), read_), this,
-                    json::input_format_t::json, true, true);
+      : text_(text), file_(file), read_(text.data()) {}
+
+  [[nodiscard]] json value() {
+    const auto look = [this](int depth, json::parse_event_t event, const json& parsed) {
+      if (event == json::parse_event_t::key) {
+        add_key(static_cast<std::size_t>(depth), parsed.get<std::string>());
+      } else if (event == json::parse_event_t::object_start ||
+                 event == json::parse_event_t::array_start) {
+        enter(static_cast<std::size_t>(depth) + 1);
+      }
+      return true;
+    };
+    try {
+      return json::parse(NotingIterator(text_.data(), read_),
+                         NotingIterator(text_.data() + text_.size(), read_), look, true, true);
+    } catch (const json::parse_error& error) {
+      const std::size_t before = std::max<std::size_t>(error.byte, 1) - 1;
+      throw records::FileError(
+          place_at(text_.data() + std::min(before, text_.size())),
+          fmt::format("is not valid JSON{}: {}",
+                      last_.empty() ? "" : fmt::format(" after the key {}", shown_key(last_)),
+                      parse_error_cause(error.what())));
+    } catch (const json::out_of_range& error) {
+      const std::string_view token = records::split(error.what(), '\'').at(1);
+      const std::string_view read(text_.data(), static_cast<std::size_t>(read_ - text_.data()));
+      throw records::FileError(place_at(text_.data() + read.rfind(token)),
+                               fmt::format("{} = {}: must have a magnitude up to 1.8e308",
+                                           shown_key(last_), shown_key(token)));
+    }
   }
 
   [[nodiscard]] KeyPlaces take_places() { return std::move(places_); }
 
-  static bool null() { return true; }
-  static bool boolean(bool /*value*/) { return true; }
-  static bool string(std::string& /*value*/) { return true; }
-  static bool binary(json::binary_t& /*value*/) { return true; }
-  static bool number_integer(std::int64_t /*value*/) { return true; }
-  static bool number_unsigned(std::uint64_t /*value*/) { return true; }
-  static bool number_float(double /*value*/, const std::string& /*text*/) { return true; }
-  bool start_object(std::size_t /*size*/) { return enter(); }
-  bool start_array(std::size_t /*size*/) { return enter(); }
-  bool end_object() { return leave(); }
-  bool end_array() { return leave(); }
+ private:
+  void enter(std::size_t depth) {
+    constexpr std::size_t deepest = 16;  // a scene has three
+    if (depth > deepest) {
+      throw records::FileError(
+          file_,
+          fmt::format("is nested deeper than {} levels: no {} needs so many", deepest, file_.kind));
+    }
+    seen_.resize(depth);
+    seen_.back().clear();
+  }
 
-  bool key(const std::string& key) {
+  void add_key(std::size_t depth, const std::string& key) {
     last_ = key;
     records::FilePlace place = place_of_key();
-    if (!seen_.back().insert(key).second) {
+    if (!seen_[depth - 1].insert(key).second) {
       throw records::FileError(
           std::move(place),
           fmt::format("{} is set twice: a key may appear only once", shown_key(key)));
     }
-    if (seen_.size() == 1) {
+    if (depth == 1) {
       outer_ = key;
       places_.emplace(key, std::move(place));
-    } else if (seen_.size() == 2) {
+    } else if (depth == 2) {
       places_.emplace(fmt::format("{}.{}", outer_, key), std::move(place));
     }
-    return true;
-  }
-
-  bool parse_error(std::size_t position, const std::string& token, const json::exception& error) {
-    if (dynamic_cast<const json::out_of_range*>(&error) != nullptr) {
-      refuse(position - std::min(position, token.size()) + 1,
-             fmt::format("{} = {}: must have a magnitude up to 1.8e308", shown_key(last_),
-                         shown_key(token)));
-    }
-    refuse(position,
-           fmt::format("is not valid JSON{}: {}",
-                       last_.empty() ? "" : fmt::format(" after the key {}", shown_key(last_)),
-                       parse_error_cause(error.what())));
-  }
-
- private:
-  bool enter() {
-    constexpr std::size_t deepest = 16;  // a scene has three
-    seen_.emplace_back();
-    if (seen_.size() > deepest) {
-      refuse({}, fmt::format("is nested deeper than {} levels: no {} needs so many", deepest,
-                             file_.kind));
-    }
-    return true;
-  }
-  bool leave() {
-    seen_.pop_back();
-    return true;
   }
 
   /// The place of the key that has just been read, up to its closing quote.
@@ -139,7 +135,12 @@ class JsonCheck {
     while (!is_quote(quote)) {
       --quote;
     }
-    for (; counted_ < quote; ++counted_) {
+    return place_at(quote);
+  }
+
+  /// Behind all those that were asked for before.
+  records::FilePlace place_at(const char* at) {
+    for (; counted_ < at; ++counted_) {
       if (*counted_ == '\n') {
         ++line_;
         line_begin_ = counted_ + 1;
@@ -147,25 +148,8 @@ class JsonCheck {
     }
     records::FilePlace place = file_;
     place.line = line_;
-    place.column = static_cast<std::size_t>(quote - line_begin_) + 1;
+    place.column = static_cast<std::size_t>(at - line_begin_) + 1;
     return place;
-  }
-
-  /// The text may be one line of a file.
-  [[nodiscard]] std::size_t first_line() const { return file_.line.value_or(1); }
-
-  /// `position` counts the bytes that are read.
-  [[noreturn]] void refuse(std::optional<std::size_t> position, std::string_view message) const {
-    records::FilePlace place = file_;
-    if (position) {
-      const std::string_view before =
-          text_.substr(0, std::min(std::max<std::size_t>(*position, 1) - 1, text_.size()));
-      const std::size_t newline = before.rfind('\n');
-      place.line = first_line() + static_cast<std::size_t>(std::ranges::count(before, '\n'));
-      place.column =
-          newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
-    }
-    throw records::FileError(std::move(place), message);
   }
 
   std::string_view text_;
@@ -174,11 +158,11 @@ class JsonCheck {
   /// The lines before this, and where the last of them begins.
   const char* counted_{text_.data()};
   const char* line_begin_{text_.data()};
-  std::size_t line_{first_line()};
+  std::size_t line_{file_.line.value_or(1)};  ///< the text may be one line of a file
   KeyPlaces places_;
   std::string outer_;                        ///< the last key of the text's object
   std::string last_;                         ///< key
-  std::vector<std::set<std::string>> seen_;  ///< the keys of each object that is open
+  std::vector<std::set<std::string>> seen_;  ///< the keys of each object that is open, and more
 };
 
 }  // namespace
@@ -189,7 +173,7 @@ KeyPlaces require_json_object(std::string_view text, const records::FilePlace& f
     throw records::FileError(file, "is empty, must be a JSON object");
   }
   JsonCheck check(text, file);
-  const json value = text[first] == '{' ? json::object() : json::parse(text, nullptr, true, true);
+  const json value = check.value();
   if (!value.is_object()) {
     throw records::FileError(file,
                              fmt::format("is a JSON {}, must be an object", value.type_name()));
