@@ -85,7 +85,7 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
       return std::make_unique<RowSink>(found->state);
     }
   }
-  return std::make_unique<PartFile>(open_part(label, spec.resume));
+  return std::make_unique<PartFile>(label, spec.resume);
 }
 
 std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string& task) {
@@ -93,7 +93,7 @@ std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string
   if (is_special_file(output)) {
     return open_stream(output);
   }
-  return std::make_unique<PartFile>(open_part({.path = output, .task = task}, true));
+  return std::make_unique<PartFile>(PartLabel{.path = output, .task = task}, true);
 }
 
 }  // namespace stillpoint::sweep

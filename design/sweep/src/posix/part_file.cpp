@@ -2,13 +2,22 @@
 #include "part_file.hpp"
 
 #include <stillpoint/core/seconds.hpp>
+#include <stillpoint/records/file_error.hpp>
+#include <stillpoint/records/text_file.hpp>
 #include <stillpoint/sweep/output_file.hpp>
 
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -19,18 +28,159 @@ namespace {
 
 constexpr double least_between_saves_s = 0.1;  // a save waits for the disk
 
+[[noreturn]] void refuse(const std::string& field, const std::string& path, std::string_view why) {
+  throw records::FileError({.kind = field, .path = path}, why);
+}
+
+void require_written(bool done, const std::string& path) {
+  if (!done) {
+    refuse_writing("output", path, errno);
+  }
+}
+
+/// In one step: the old or the new content is there whenever the program ends. Returns 0 or the
+/// errno.
+int replace(const std::string& path, const std::string& content) {
+  const std::string next = path + ".new";
+  // Our own file, even if somebody has put a link under its name.
+  ::unlink(next.c_str());
+  const Descriptor file(create_file(next));
+  if (!file.is_open()) {
+    return errno;
+  }
+  int error = write_all(file.number(), content);
+  // In this order, or after a power cut the name may lead to nothing.
+  if (error == 0 && (::fsync(file.number()) != 0 || std::rename(next.c_str(), path.c_str()) != 0)) {
+    error = errno;
+  }
+  if (error != 0) {
+    ::unlink(next.c_str());
+    return error;
+  }
+  return synchronize_name(path);
+}
+
 }  // namespace
 
-PartFile::PartFile(OpenPart files)
-    : RowSink(files.saved.state),
-      files_(std::move(files)),
-      state_(files_.saved.state),
-      next_save_s_(seconds_now() + least_between_saves_s) {}
+std::optional<Checkpoint> read_checkpoint(const std::string& path) {
+  constexpr std::size_t largest = std::size_t{1} << 26U;  // a task holds axes, which may be long
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) {
+    return std::nullopt;
+  }
+  const std::string content = records::read_text_file("resume", path, largest);
+  try {
+    return parse_checkpoint(content);
+  } catch (const std::exception&) {
+    refuse("resume", path, "is not the checkpoint of a sweep: remove it to start again");
+  }
+}
+
+PartFile::PartFile(PartLabel label, bool resume)
+    : target_(behind_links(label.path).string()),
+      part_(target_ + ".part"),
+      checkpoint_(part_ + ".json"),
+      saved_{std::move(label), {}} {
+  if (resume && open_existing()) {
+    this->resume();
+  } else {
+    create();
+  }
+  next_save_s_ = seconds_now() + least_between_saves_s;
+}
+
+void PartFile::lock() const {
+  if (::flock(descriptor_.number(), LOCK_EX | LOCK_NB) != 0) {
+    refuse("output", part_,
+           "another sweep is writing it: wait until it ends, or give another file");
+  }
+}
+
+/// False if there is none. The lock of a running sweep is checked before anything else about its
+/// file; it ends with that sweep, however that ends. FILE.part is never a link.
+bool PartFile::open_existing() {
+  descriptor_ = Descriptor(::open(part_.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
+  if (descriptor_.is_open()) {
+    lock();
+  } else {
+    require_written(errno == ENOENT, part_);
+  }
+  return descriptor_.is_open();
+}
+
+void PartFile::create() {
+  descriptor_ = Descriptor(create_file(part_));
+  if (!descriptor_.is_open()) {
+    if (errno == EEXIST && open_existing()) {
+      refuse("output", target_,
+             fmt::format("{} is left from an interrupted sweep: resume it with --resume, or "
+                         "remove it to start again",
+                         part_));
+    }
+    refuse_writing("output", target_, errno);
+  }
+  lock();
+  // Nothing is in the file before this is: an empty file without a checkpoint has just begun.
+  try {
+    save_checkpoint();
+  } catch (...) {
+    ::unlink(part_.c_str());
+    throw;
+  }
+}
+
+/// Throws FileError unless the rows that are left belong to the same sweep.
+void PartFile::resume() {
+  const auto left = read_checkpoint(checkpoint_);
+  if (left) {
+    std::string differs = difference(left->label, saved_.label);
+    if (differs.empty() && left->label.part != saved_.label.part) {
+      differs = fmt::format("part was {}, is {}", text(left->label.part), text(saved_.label.part));
+    }
+    if (!differs.empty()) {
+      refuse("resume", part_,
+             fmt::format("was started with other options, {}: give the same ones, or remove the "
+                         "file to start again",
+                         differs));
+    }
+    found_ = state_ = saved_.state = left->state;
+  }
+  cut_back(left.has_value());
+}
+
+/// Cuts off what was written after the last checkpoint.
+void PartFile::cut_back(bool checkpoint_exists) {
+  struct stat status {};
+  require_written(::fstat(descriptor_.number(), &status) == 0, part_);
+  if (status.st_size > 0 && !checkpoint_exists) {
+    refuse("resume", part_,
+           fmt::format("{}, which says how far it got, is missing: remove the file to start again",
+                       checkpoint_));
+  }
+  const std::int64_t bytes = state_.bytes;
+  if (status.st_size < bytes) {
+    refuse("resume", part_,
+           fmt::format("has {} bytes, but {} says {}: remove the file to start again",
+                       status.st_size, checkpoint_, bytes));
+  }
+  require_written(::ftruncate(descriptor_.number(), bytes) == 0 &&
+                      ::lseek(descriptor_.number(), 0, SEEK_END) == bytes,
+                  part_);
+  if (!checkpoint_exists) {
+    save_checkpoint();
+  }
+}
+
+void PartFile::save_checkpoint() const {
+  if (const int error = replace(checkpoint_, text(saved_) + "\n"); error != 0) {
+    refuse_writing("output", checkpoint_, error);
+  }
+}
 
 void PartFile::write(std::string_view bytes) {
-  if (const int error = write_all(files_.descriptor.number(), bytes); error != 0) {
-    state_ = files_.saved.state;  // a full disk has no room for a later checkpoint either
-    refuse_writing("output", files_.part(), error);
+  if (const int error = write_all(descriptor_.number(), bytes); error != 0) {
+    state_ = saved_.state;  // a full disk has no room for a later checkpoint either
+    refuse_writing("output", part_, error);
   }
 }
 
@@ -41,50 +191,45 @@ void PartFile::reached(const SweepState& state) {
   }
 }
 
-void PartFile::synchronize() {
-  if (::fdatasync(files_.descriptor.number()) != 0) {
-    refuse_writing("output", files_.part(), errno);
-  }
+void PartFile::synchronize() const {
+  require_written(::fdatasync(descriptor_.number()) == 0, part_);
 }
 
 void PartFile::save() {
   constexpr double pause = 20;  // times as long as a save takes, so they take 5 % at most
   const double begun = seconds_now();
   synchronize();
-  files_.saved.state = state_;
-  files_.save();
+  saved_.state = state_;
+  save_checkpoint();
   const double ended = seconds_now();
   next_save_s_ = ended + std::max(least_between_saves_s, pause * (ended - begun));
 }
 
 void PartFile::finish(std::string_view header) {
-  if (::pwrite(files_.descriptor.number(), header.data(), header.size(), 0) !=
-      static_cast<ssize_t>(header.size())) {
-    refuse_writing("output", files_.part(), errno);
-  }
+  require_written(::pwrite(descriptor_.number(), header.data(), header.size(), 0) ==
+                      static_cast<ssize_t>(header.size()),
+                  part_);
   synchronize();
-  if (std::rename(files_.part().c_str(), files_.target.c_str()) != 0) {
-    refuse_writing("output", files_.target, errno);
-  }
+  require_written(std::rename(part_.c_str(), target_.c_str()) == 0, target_);
   // Until then the checkpoint is needed.
-  if (const int error = synchronize_name(files_.target); error != 0) {
-    refuse_writing("output", files_.target, error);
+  if (const int error = synchronize_name(target_); error != 0) {
+    refuse_writing("output", target_, error);
   }
   std::error_code ignored;
-  std::filesystem::remove(files_.checkpoint(), ignored);
+  std::filesystem::remove(checkpoint_, ignored);
 }
 
 LeftRows PartFile::leave() {
-  if (files_.saved.state.rows == 0 && state_.rows == 0) {
+  if (saved_.state.rows == 0 && state_.rows == 0) {
     std::error_code ignored;
-    std::filesystem::remove(files_.checkpoint(), ignored);
-    std::filesystem::remove(files_.part(), ignored);
+    std::filesystem::remove(checkpoint_, ignored);
+    std::filesystem::remove(part_, ignored);
     return {};
   }
-  if (state_.rows > files_.saved.state.rows) {
+  if (state_.rows > saved_.state.rows) {
     save();
   }
-  return {files_.saved.state.rows, files_.part()};
+  return {saved_.state.rows, part_};
 }
 
 }  // namespace stillpoint::sweep

@@ -42,7 +42,9 @@ class RowSink {
   /// The sweep ends early: keeps what can be resumed. Further calls change nothing.
   virtual LeftRows leave() { return {}; }
 
- private:
+ protected:
+  // What is found when the file is opened, in the body of a constructor.
+  // NOLINTNEXTLINE(cppcoreguidelines-non-private-member-variables-in-classes)
   SweepState found_;
 };
 
