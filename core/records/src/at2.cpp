@@ -5,14 +5,13 @@
 // NPTS in all; blank lines and text may follow.
 
 #include "at2_parts.hpp"
-#include "record_reader.hpp"
-#include "value_block.hpp"
 
 #include <stillpoint/records/text.hpp>
 
 #include <fmt/format.h>
 
-#include <vector>
+#include <optional>
+#include <string>
 
 namespace stillpoint::records {
 
@@ -22,8 +21,7 @@ namespace {
 constexpr std::size_t longest_header = 32;
 
 struct Header {
-  At2Counts counts;
-  std::size_t line{0};  ///< of the counts
+  std::optional<At2Counts> counts;
   std::optional<RecordUnits> units;
   std::size_t units_line{0};
   std::string titles;
@@ -69,7 +67,6 @@ Header read_header(RecordReader& reader) {
     }
     if (has_counts(line)) {
       header.counts = read_at2_counts(reader);
-      header.line = reader.number();
       return header;
     }
     const std::string_view title = trimmed(line);
@@ -81,26 +78,19 @@ Header read_header(RecordReader& reader) {
       "NPTS and DT are missing: a PEER record has a line such as NPTS= 2000, DT= .02 SEC");
 }
 
-std::vector<double> read_values(RecordReader& reader, const Header& header) {
-  const ValueBlock block{"NPTS", header.counts.count, header.line};
-  std::vector<double> values = read_block(reader, block, acceleration_field);
+RecordFile read_at2(RecordReader& reader) {
+  const auto [counts, units, units_line, titles] = read_header(reader);
+  const std::optional<RecordUnits>& asked = reader.options().units;
+  RecordFile file =
+      read_described(reader, {"NPTS", counts->count}, {"DT", counts->step},
+                     units.value_or(asked.value_or(RecordUnits::g)), units_line, {}, titles);
+  file.assumed_g = !units && !asked;
   while (reader.next()) {
     if (has_npts(reader.line())) {
       reader.refuse("a second record begins here: a file must hold only one");
     }
   }
-  return values;
-}
-
-RecordFile read_at2(RecordReader& reader) {
-  const Header header = read_header(reader);
-  const double step = reader.file_step(header.line, "DT", header.counts.step);
-  const RecordUnits units = header.units.value_or(reader.options().units.value_or(RecordUnits::g));
-  reader.set_units(units, header.units_line);
-  return {{read_values(reader, header), step, {}},
-          printable(header.titles, longest_description),
-          units,
-          !header.units && !reader.options().units};
+  return file;
 }
 
 }  // namespace

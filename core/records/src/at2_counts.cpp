@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +16,10 @@ namespace stillpoint::records {
 
 namespace {
 
-/// A word of the line with NPTS and DT, and the number that it is, if any.
+/// A word of the line with NPTS and DT: the text in capitals, or a number.
 struct HeaderWord {
   std::string text;
-  std::optional<double> number;
+  std::string_view number;
 };
 
 bool begins_number(char c) {
@@ -38,13 +37,12 @@ std::vector<HeaderWord> header_words(std::string_view line) {
   for (std::string_view word : words_of(line, " \t,;:=()")) {
     const std::size_t length = begins_number(word.front()) ? number_length(word) : 0;
     if (length > 0) {
-      const std::string_view digits = word.substr(0, length);
-      words.push_back({std::string(digits), scan_fortran_number(digits).value});
+      words.push_back({"", word.substr(0, length)});
       word.remove_prefix(length);
     }
     word = word.substr(0, word.find_last_not_of('.') + 1);
     if (!word.empty()) {
-      words.push_back({upper_case(word), std::nullopt});
+      words.push_back({upper_case(word), ""});
     }
   }
   return words;
@@ -71,21 +69,15 @@ class CountLine {
     if (dt_ == words_.size()) {
       reader_.refuse("NPTS without DT: both must be on this line, as in NPTS= 2000, DT= .02 SEC");
     }
-    numbers_first_ = std::min(npts_, dt_) == 2 && words_[0].number && words_[1].number;
+    numbers_first_ =
+        std::min(npts_, dt_) == 2 && !words_[0].number.empty() && !words_[1].number.empty();
   }
 
-  [[nodiscard]] std::size_t count() const {
-    const HeaderWord& word = number_of("NPTS", npts_, npts_ > dt_);
-    return whole_count(reader_, "NPTS", word.text, *word.number);
-  }
+  [[nodiscard]] HeaderText count() const { return number_of("NPTS", npts_, npts_ > dt_); }
 
-  [[nodiscard]] double step() const {
-    const HeaderWord& word = number_of("DT", dt_, dt_ > npts_);
-    if (*word.number <= 0) {
-      reader_.refuse(fmt::format("DT = {}: must be more than 0", word.text));
-    }
+  [[nodiscard]] HeaderText step() const {
     require_seconds();
-    return *word.number;
+    return number_of("DT", dt_, dt_ > npts_);
   }
 
  private:
@@ -94,13 +86,12 @@ class CountLine {
     return static_cast<std::size_t>(found - words_.begin());
   }
 
-  [[nodiscard]] const HeaderWord& number_of(std::string_view key, std::size_t at,
-                                            bool is_second) const {
+  [[nodiscard]] HeaderText number_of(std::string_view key, std::size_t at, bool is_second) const {
     const std::size_t place = numbers_first_ ? (is_second ? 1 : 0) : at + 1;
-    if (place >= words_.size() || !words_[place].number) {
+    if (place >= words_.size() || words_[place].number.empty()) {
       reader_.refuse(fmt::format("{} has no number", key));
     }
-    return words_[place];
+    return {words_[place].number, reader_};
   }
 
   /// A factor of 1000 must not slip through.
@@ -127,17 +118,10 @@ class CountLine {
 }  // namespace
 
 bool has_npts(std::string_view line) {
-  const std::string text = upper_case(line);
-  const auto is_letter = [&text](std::size_t at) {
-    return at < text.size() && ((text[at] >= 'A' && text[at] <= 'Z') || text[at] == '_');
-  };
-  constexpr std::string_view npts = "NPTS";
-  for (std::size_t at = text.find(npts); at != std::string::npos; at = text.find(npts, at + 1)) {
-    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + npts.size())) {
-      return true;
-    }
-  }
-  return false;
+  std::string text = upper_case(line);
+  std::ranges::replace_if(
+      text, [](char c) { return !((c >= 'A' && c <= 'Z') || c == '_'); }, ' ');
+  return std::ranges::count(words_of(text, " "), std::string_view("NPTS")) > 0;
 }
 
 At2Counts read_at2_counts(const RecordReader& reader) {

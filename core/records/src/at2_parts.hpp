@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "record_reader.hpp"
+#include "channel.hpp"
 
-#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -12,8 +11,8 @@ namespace stillpoint::records {
 // The lines of an AT2 header that carry information.
 
 struct At2Counts {
-  std::size_t count{0};  ///< NPTS
-  double step{0};        ///< DT in s
+  HeaderText count;  ///< NPTS
+  HeaderText step;   ///< DT in s
 };
 
 /// Whether a line has NPTS as a separate word.
@@ -23,7 +22,7 @@ struct At2Counts {
 ///
 ///     NPTS= 2000, DT= .02000 SEC        4096    0.0100    NPTS, DT
 ///
-/// in either case, with or without SEC. Refuses it if one is missing or out of bounds.
+/// in either case, with or without SEC. Refuses it if one is missing.
 [[nodiscard]] At2Counts read_at2_counts(const RecordReader& reader);
 
 /// Whether a line says what was measured, e.g. "ACCELERATION TIME HISTORY IN UNITS OF G".

@@ -142,8 +142,4 @@ std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
   return values;
 }
 
-double acceleration_field(const RecordReader& reader, std::string_view field) {
-  return reader.parse_acceleration(field);
-}
-
 }  // namespace stillpoint::records

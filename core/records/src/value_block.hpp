@@ -41,7 +41,4 @@ using ParseField = std::function<double(const RecordReader&, std::string_view)>;
 std::vector<double> read_block(RecordReader& reader, const ValueBlock& block,
                                const ParseField& parse);
 
-/// A field as an acceleration, for `read_block`.
-[[nodiscard]] double acceleration_field(const RecordReader& reader, std::string_view field);
-
 }  // namespace stillpoint::records
