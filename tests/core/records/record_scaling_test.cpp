@@ -2,7 +2,6 @@
 #include "record_texts.hpp"
 #include "testing/folder.hpp"
 
-#include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/records/record_suite.hpp>
 
 BOOST_AUTO_TEST_SUITE(record_scaling_test)
@@ -11,9 +10,6 @@ using namespace stillpoint::test;
 using records::spectral_acceleration;
 
 constexpr double pi = std::numbers::pi;
-
-/// Some units of the last place for each of the parts of half a radian in these motions.
-constexpr double tolerance = 1e-12;
 
 double off(double value, double expected) {
   return std::abs(value / expected - 1);
@@ -42,20 +38,61 @@ BOOST_AUTO_TEST_CASE(peak_has_no_sign) {
   BOOST_TEST(records::peak_acceleration({{0, 0}, 0.01, {}}) == 0);
 }
 
-// The kernel's motion without friction, up to a period after the load, shares no formula with it.
-BOOST_AUTO_TEST_CASE(spectrum_is_that_of_the_motions) {
+/// The largest |y| of y'' + 2 zeta y' + y = -W in theta = p tau, by Runge and Kutta's steps.
+class Stepped {
+ public:
+  /// W goes from one value to another while theta grows by `angle`.
+  void follow(double from, double to, double angle) {
+    const double steps = std::ceil(angle / 0.002);
+    const double h = angle / steps;
+    const auto bend = [](double y, double rate, double load) {
+      return -load - 2 * records::spectrum_damping * rate - y;
+    };
+    for (double i = 0; i < steps; ++i) {
+      const auto load = [&](double part) { return from + (to - from) * (i + part) / steps; };
+      const double a = bend(y_, rate_, load(0));
+      const double b = bend(y_ + h / 2 * rate_, rate_ + h / 2 * a, load(0.5));
+      const double c = bend(y_ + h / 2 * (rate_ + h / 2 * a), rate_ + h / 2 * b, load(0.5));
+      const double d = bend(y_ + h * (rate_ + h / 2 * b), rate_ + h * c, load(1));
+      y_ += h * rate_ + h * h / 6 * (a + b + c);
+      rate_ += h / 6 * (a + 2 * b + 2 * c + d);
+      most_ = std::max(most_, std::abs(y_));
+    }
+  }
+  [[nodiscard]] double most() const { return most_; }
+
+ private:
+  double y_{0};
+  double rate_{0};
+  double most_{0};
+};
+
+// Between two steps |y| can exceed both by h^2/8 of |y''|, which may be some times |y|.
+BOOST_AUTO_TEST_CASE(spectrum_is_the_largest_of_a_linear_oscillator) {
+  constexpr double tolerance = 1e-5;
   std::mt19937_64 random(13);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const Record record = random_record(random);
     for (const double p : {0.3, 1.0, 2.0, 7.0}) {
-      const double end = duration(Excitation(record)).value() + 2 * pi / p;
-      const Oscillator oscillator{.p = p, .zeta = records::spectrum_damping};
-      const double peak = forced_response(oscillator, {}, record, {.t_end = end}).peak_amplitude;
+      Stepped stepped;
+      for (std::size_t j = 0; j + 1 < record.values.size(); ++j) {
+        const double interval =
+            record.times.empty() ? record.step : record.times[j + 1] - record.times[j];
+        stepped.follow(record.values[j], record.values[j + 1], p * interval);
+      }
+      stepped.follow(0, 0, 2 * pi);
       BOOST_TEST_CONTEXT("record " << i << " of " << record.values.size() << ", p " << p) {
-        BOOST_TEST(off(spectral_acceleration(record, p), p * p * peak) <= tolerance);
+        BOOST_TEST(off(spectral_acceleration(record, p), stepped.most()) <= tolerance);
       }
     }
   }
+}
+
+// Under a constant load the first turn overshoots the rest by exp(-pi zeta/sqrt(1 - zeta^2)).
+BOOST_AUTO_TEST_CASE(spectrum_of_a_constant_load) {
+  constexpr double zeta = records::spectrum_damping;
+  const double overshoot = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
+  BOOST_TEST(off(spectral_acceleration({{0.3, 0.3}, 4, {}}, 1), 0.3 * (1 + overshoot)) <= 1e-14);
 }
 
 // A stiff oscillator follows the load, a soft one stands still while the ground moves.

@@ -23,8 +23,8 @@ inline constexpr double spectrum_damping = 0.05;
 
 /// The elastic response spectrum of a record, as a pseudo-acceleration in g: p^2 times the largest
 /// displacement of a linear oscillator with the angular frequency p > 0 in 1/tau and the damping
-/// above, during the record and after it. docs/records.md, (1) and (2). Throws InputError for a
-/// period 2 pi/p shorter than the mean interval, which the record does not resolve.
+/// above, during the record and after it. Throws InputError for a period 2 pi/p shorter than the
+/// mean interval, which the record does not resolve.
 [[nodiscard]] double spectral_acceleration(const Record& record, double p);
 
 /// What a record is scaled to: a peak or a value of its spectrum, in g; with neither it is not
