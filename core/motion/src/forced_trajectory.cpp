@@ -3,7 +3,6 @@
 #include "kernel/harmonic_flow.hpp"
 #include "kernel/linear_piece.hpp"
 #include "motion_watchers.hpp"
-#include "sampling.hpp"
 
 #include <stillpoint/core/forced_motion.hpp>
 #include <stillpoint/core/input_error.hpp>
@@ -18,8 +17,10 @@
 
 namespace stillpoint {
 
-/// The motion between two events.
-class ForcedTrajectory::Pieces {
+namespace {
+
+/// A forced motion between its events.
+class Pieces {
  public:
   struct Rest {
     double u;
@@ -63,28 +64,23 @@ class ForcedTrajectory::Pieces {
 };
 
 /// Records what the run reports.
-class PathWatcher final : public Finder<ForcedTrajectory> {
+class PathWatcher final : public Finder<Path> {
  public:
   PathWatcher(double p, std::int64_t most, bool to_rest)
-      : pieces_(std::make_shared<Pieces>(p)), most_(most), to_rest_(to_rest) {
-    path_.horizon_ = HUGE_VAL;
-    path_.pieces_ = pieces_;
-  }
+      : pieces_(std::make_shared<Pieces>(p)), most_(most), to_rest_(to_rest) {}
 
   void set_horizon(double tau) override {
-    path_.horizon_ = tau;
+    horizon_ = tau;
     refuse_too_many();
   }
 
   void event(EventKind kind, const ExactSum<double>& now, double u, double v) override {
-    auto& events = path_.events_;
-    const Event event{kind,
-                      {std::min(now.value() / pieces_->p(), path_.horizon_), u / pieces_->p(), v}};
+    const Event event{kind, {std::min(now.value() / pieces_->p(), horizon_), u / pieces_->p(), v}};
     // Only the end of the excitation may show that a rest is final.
     const auto later =
-        std::upper_bound(events.begin(), events.end(), event,
+        std::upper_bound(events_.begin(), events_.end(), event,
                          [](const Event& a, const Event& b) { return a.state.tau < b.state.tau; });
-    events.insert(later, event);
+    events_.insert(later, event);
     const bool rests = kind == EventKind::stick || kind == EventKind::rest;
     if (rests || kind == EventKind::start) {
       keep({now, 1, Pieces::Rest{u}});
@@ -99,20 +95,20 @@ class PathWatcher final : public Finder<ForcedTrajectory> {
   void end(const ForcedState<double>& state) override {
     const double p = pieces_->p();
     if (to_rest_ && state.outcome && state.rest_begin.value() > 0) {
-      path_.horizon_ = state.rest_begin.value() / p;
-      std::erase_if(path_.events_,
-                    [this](const Event& event) { return event.state.tau > path_.horizon_; });
+      horizon_ = state.rest_begin.value() / p;
+      std::erase_if(events_, [this](const Event& event) { return event.state.tau > horizon_; });
     }
     if (!state.outcome) {
-      path_.events_.push_back({EventKind::end, {path_.horizon_, state.u / p, state.v}});
+      events_.push_back({EventKind::end, {horizon_, state.u / p, state.v}});
     }
   }
 
-  [[nodiscard]] ForcedTrajectory found() override { return std::move(path_); }
+  [[nodiscard]] Path found() override {
+    return {horizon_, std::move(events_),
+            [pieces = pieces_](double tau) { return pieces->at(tau); }};
+  }
 
  private:
-  using Pieces = ForcedTrajectory::Pieces;
-
   void keep(const Pieces::Piece& piece) {
     too_many_ = too_many_ || pieces_->size() >= most_;
     if (!too_many_) {
@@ -123,50 +119,41 @@ class PathWatcher final : public Finder<ForcedTrajectory> {
 
   /// The refusal names the horizon, so it waits until that is known.
   void refuse_too_many() const {
-    if (too_many_ && path_.horizon_ < HUGE_VAL) {
-      throw InputError("t_end", path_.horizon_,
+    if (too_many_ && horizon_ < HUGE_VAL) {
+      throw InputError("t_end", horizon_,
                        fmt::format("the motion up to that time has more than {} pieces, too many "
                                    "for a trajectory",
                                    most_));
     }
   }
 
-  ForcedTrajectory path_;
+  double horizon_{HUGE_VAL};
+  std::vector<Event> events_;
   std::shared_ptr<Pieces> pieces_;
   std::int64_t most_;
   bool to_rest_;
   bool too_many_{false};
 };
 
-std::unique_ptr<Finder<ForcedTrajectory>> path_watcher(const Oscillator& oscillator,
-                                                       std::int64_t pieces, bool to_rest) {
+Path followed(const Oscillator& oscillator, const Start& start, const Excitation& excitation,
+              const ForcedTrajectoryOptions& options, const Surface& surface) {
+  PathWatcher watcher(oscillator.p, options.pieces, options.to_rest);
+  WatchedOptions wanted{{.t_end = options.horizon, .go_on = options.go_on}};
+  wanted.listing = {&watcher};
+  watched_motion(oscillator, surface, start, excitation, wanted);
+  return watcher.found();
+}
+
+}  // namespace
+
+std::unique_ptr<Finder<Path>> path_watcher(const Oscillator& oscillator, std::int64_t pieces,
+                                           bool to_rest) {
   return std::make_unique<PathWatcher>(oscillator.p, pieces, to_rest);
 }
 
 ForcedTrajectory::ForcedTrajectory(const Oscillator& oscillator, const Start& start,
                                    const Excitation& excitation,
-                                   const ForcedTrajectoryOptions& options, const Surface& surface) {
-  const auto watcher = path_watcher(oscillator, options.pieces, options.to_rest);
-  WatchedOptions wanted{{.t_end = options.horizon, .go_on = options.go_on}};
-  wanted.listing = {watcher.get()};
-  watched_motion(oscillator, surface, start, excitation, wanted);
-  *this = watcher->found();
-}
-
-State ForcedTrajectory::at(double tau) const {
-  require_within("tau", tau, 0, horizon_);
-  const auto event = std::ranges::upper_bound(events_, tau, {},
-                                              [](const Event& later) { return later.state.tau; });
-  assert(event != events_.begin());
-  const Event& before = *std::prev(event);
-  if (before.state.tau == tau) {
-    return {tau, before.state.x, before.state.v};
-  }
-  return pieces_->at(tau);
-}
-
-std::vector<State> ForcedTrajectory::sampled(std::int64_t samples) const {
-  return sampled_states(*this, samples);
-}
+                                   const ForcedTrajectoryOptions& options, const Surface& surface)
+    : Path(followed(oscillator, start, excitation, options, surface)) {}
 
 }  // namespace stillpoint

@@ -32,7 +32,7 @@ std::unique_ptr<Finder<std::vector<HalfCycle>>> half_cycle_watcher(const Oscilla
                                                                    std::int64_t most);
 
 /// `pieces` and `to_rest` as in ForcedTrajectoryOptions.
-std::unique_ptr<Finder<ForcedTrajectory>> path_watcher(const Oscillator& oscillator,
-                                                       std::int64_t pieces, bool to_rest);
+std::unique_ptr<Finder<Path>> path_watcher(const Oscillator& oscillator, std::int64_t pieces,
+                                           bool to_rest);
 
 }  // namespace stillpoint
