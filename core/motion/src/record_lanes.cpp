@@ -67,60 +67,42 @@ class RecordGroup {
     return numbers_[static_cast<std::size_t>(value)][k];
   }
 
-  /// (F16) and (F21) over an interval.
-  struct Terms {
-    V sine;
-    V versine;
-    V lag;
-    V bend;
-    V pull;
-    V fall;
-    V least_v;
-    V reach;
-    V drag;
-    V twice_zeta;
-  };
-
   struct Point {
     V u;
     V v;
     V a;
   };
 
-  HWY_INLINE Terms terms() const {
-    return {get(Of::sine), get(Of::versine), get(Of::lag),   get(Of::bend), get(Of::pull),
-            get(Of::fall), get(Of::least_v), get(Of::reach), get(Of::drag), get(Of::twice_zeta)};
+  // (F16)
+  HWY_INLINE V next_v(const Point& s, V rise) const {
+    return hn::Add(hn::Sub(s.v, hn::Mul(s.v, get(Of::versine))),
+                   hn::Sub(hn::Mul(s.a, get(Of::sine)), hn::Mul(rise, get(Of::bend))));
   }
 
-  static HWY_INLINE V next_v(const Terms& t, const Point& s, V rise) {
-    return hn::Add(hn::Sub(s.v, hn::Mul(s.v, t.versine)),
-                   hn::Sub(hn::Mul(s.a, t.sine), hn::Mul(rise, t.bend)));
+  HWY_INLINE V next_u(const Point& s, V rise) const {
+    const V reach = get(damped ? Of::reach : Of::sine);
+    const V moved = hn::Add(hn::Mul(s.v, reach), hn::Mul(s.a, get(Of::versine)));
+    return hn::Add(s.u, hn::Sub(moved, hn::Mul(rise, get(Of::lag))));
   }
 
-  static HWY_INLINE V next_u(const Terms& t, const Point& s, V rise) {
-    const V reach = damped ? t.reach : t.sine;
-    const V moved = hn::Add(hn::Mul(s.v, reach), hn::Mul(s.a, t.versine));
-    return hn::Add(s.u, hn::Sub(moved, hn::Mul(rise, t.lag)));
-  }
-
-  static HWY_INLINE V next_a(const Terms& t, const Point& s, V rise) {
-    const V drag = damped ? t.drag : t.versine;
+  HWY_INLINE V next_a(const Point& s, V rise) const {
+    const V drag = get(damped ? Of::drag : Of::versine);
     return hn::Sub(hn::Sub(s.a, hn::Mul(s.a, drag)),
-                   hn::Add(hn::Mul(s.v, t.sine), hn::Mul(rise, t.pull)));
+                   hn::Add(hn::Mul(s.v, get(Of::sine)), hn::Mul(rise, get(Of::pull))));
   }
 
   /// From u, v and w.
-  static HWY_INLINE V a_afresh(const Terms& t, const Point& s, V phi, V w) {
+  HWY_INLINE V a_afresh(const Point& s, V phi, V w) const {
     const V force = hn::Add(hn::Add(s.u, phi), w);
-    return hn::Neg(damped ? hn::Add(force, hn::Mul(t.twice_zeta, s.v)) : force);
+    return hn::Neg(damped ? hn::Add(force, hn::Mul(get(Of::twice_zeta), s.v)) : force);
   }
 
   /// SlidePoint::may_feel_more: where the structure may feel more between two samples than before.
   /// `tilt` = fall times the rise of w.
-  HWY_INLINE M may_feel_more(const Terms& t, const Point& s, const Point& next, V w, V next_w,
-                             V tilt, M slides) const {
-    const V from = hn::Add(s.v, hn::Mul(t.twice_zeta, s.a));
-    const V to = hn::Add(next.v, hn::Mul(t.twice_zeta, next.a));
+  HWY_INLINE M may_feel_more(const Point& s, const Point& next, V w, V next_w, V tilt,
+                             M slides) const {
+    const V from = hn::Add(s.v, hn::Mul(get(Of::twice_zeta), s.a));
+    const V to = hn::Add(next.v, hn::Mul(get(Of::twice_zeta), next.a));
     const V least = hn::Abs(tilt);
     const M monotone =
         hn::Or(hn::Gt(hn::Min(from, to), least), hn::Lt(hn::Max(from, to), hn::Neg(least)));
@@ -139,7 +121,6 @@ class RecordGroup {
   template <bool rests>
   HWY_INLINE std::size_t advance(std::size_t i, std::size_t end) {
     const V inverse_p = get(Of::inverse_p);
-    const Terms t = terms();
     const V sign = get(Of::sign);
     const V mirror = hn::And(sign, hn::SignBit(D()));
     const V phi = get(Of::phi);
@@ -150,11 +131,11 @@ class RecordGroup {
     for (; i < end; ++i) {
       const V next_w = hn::Mul(all(record_[i + 1]), inverse_p);
       const V rise = hn::Sub(next_w, w);
-      Point next{next_u(t, now, rise), next_v(t, now, rise), now.a};
+      Point next{next_u(now, rise), next_v(now, rise), now.a};
       // (F21)
       const V slower = hn::Min(hn::Xor(now.v, mirror), hn::Xor(next.v, mirror));
-      const V tilt = hn::Mul(t.fall, rise);
-      const V least = hn::Max(t.least_v, hn::Xor(tilt, mirror));
+      const V tilt = hn::Mul(get(Of::fall), rise);
+      const V least = hn::Max(get(Of::least_v), hn::Xor(tilt, mirror));
       M goes_on = hn::Gt(slower, least);
       M calm = hn::And(goes_on, hn::Lt(hn::Xor(next.u, mirror), look));
       if constexpr (rests) {
@@ -164,9 +145,9 @@ class RecordGroup {
         next.u = hn::IfThenElse(slides, next.u, now.u);
         next.v = hn::IfThenElseZero(slides, next.v);
       }
-      next.a = i % afresh == 0 ? a_afresh(t, next, phi, next_w) : next_a(t, now, rise);
+      next.a = i % afresh == 0 ? a_afresh(next, phi, next_w) : next_a(now, rise);
       if constexpr (damped) {
-        const M more = may_feel_more(t, now, next, w, next_w, tilt, slides);
+        const M more = may_feel_more(now, next, w, next_w, tilt, slides);
         calm = hn::AndNot(more, calm);
         feels_more_ = bits(more);
       }
