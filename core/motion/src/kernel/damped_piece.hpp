@@ -161,7 +161,7 @@ class DampedPiece {
     }
     stretches(v, last, [&](const Moment& left, const Moment& right) {
       if (rate_ < 0 && right.h < limit && right.at.v <= left.at.v &&
-          magnitude(right.at.v) <= rounding()) {
+          magnitude(right.at.v) <= start_.rounding(load_, rate_)) {
         end = {PieceEvent::touch, right.h, {right.at.y, std::numeric_limits<Real>::min(), Real(0)}};
         return false;
       }
@@ -174,13 +174,6 @@ class DampedPiece {
       return true;
     });
     return end;
-  }
-
-  /// Of (F33): v only touches 0 where it is less than this.
-  [[nodiscard]] Real rounding() const {
-    const Point& s = start_;
-    return 16 * std::numeric_limits<Real>::epsilon() *
-           (magnitude(s.y) + load_ + s.v + magnitude(s.a) + magnitude(rate_));
   }
 
   /// The zero of a function that is monotone between two moments and has no one sign there: by

@@ -58,12 +58,7 @@ class DrivePhase {
     reduce();
   }
 
-  struct SinCos {
-    Real sine;
-    Real cosine;
-  };
-
-  [[nodiscard]] SinCos sin_cos() const {
+  [[nodiscard]] elementary::SinCosOf<Real> sin_cos() const {
     const auto [sine, cosine] = elementary::sin_cos(psi_.high());
     return {sine + psi_.low() * cosine, cosine - psi_.low() * sine};
   }

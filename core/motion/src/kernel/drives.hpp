@@ -183,12 +183,6 @@ class HarmonicDrive {
     return start;
   }
 
-  [[nodiscard]] typename HarmonicPiece<Real>::End first_event(HarmonicPiece<Real>& piece,
-                                                              const Real& limit,
-                                                              bool want_arrival) const {
-    return piece.first_event(limit, want_arrival);
-  }
-
   /// The first guess for the next arrival; returns what it would have been.
   Real expects_arrival_after(const Real& h) { return std::exchange(guesses_.arrival, h); }
 
@@ -294,7 +288,7 @@ class HarmonicDrive {
   Real full_c_;
   Real inverse_k_;  ///< unused where k = 0
   TippingMargin<Real>& margin_;
-  typename DrivePhase<Real>::SinCos now_;
+  elementary::SinCosOf<Real> now_;
   EventGuesses<Real> guesses_;
   int direction_{1};
   Real room_up_{0};  ///< the level that a crest exceeds, at the last search for a release

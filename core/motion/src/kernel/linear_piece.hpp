@@ -23,6 +23,13 @@ struct LinearPoint {
   Real y;
   Real v;
   Real a;
+
+  /// The possible error of v on a piece from here: (F33), v only touches 0 where it is less.
+  /// Friction is at most load + |y| + |a|.
+  [[nodiscard]] Real rounding(const Real& load, const Real& rate) const {
+    return 16 * std::numeric_limits<Real>::epsilon() *
+           (magnitude(y) + load + v + magnitude(a) + magnitude(rate));
+  }
 };
 
 /// sin h, 1 - cos h and h - sin h, each with all its digits for small h.
@@ -203,14 +210,7 @@ class LinearPiece {
   /// (F33): whether the smallest v is 0 within rounding, for rate < 0. `square` is the discriminant
   /// of (F17).
   [[nodiscard]] bool touches(const Real& square) const {
-    return magnitude(square) <= -2 * rate_ * rounding();
-  }
-
-  /// The possible error of v. Friction is at most load + |y| + |a|.
-  [[nodiscard]] Real rounding() const {
-    const Point& s = start_;
-    return 16 * std::numeric_limits<Real>::epsilon() *
-           (magnitude(s.y) + load_ + s.v + magnitude(s.a) + magnitude(rate_));
+    return magnitude(square) <= -2 * rate_ * start_.rounding(load_, rate_);
   }
 
   /// The touch, or the end at `limit`; v > 0 there, so that the mass slides on.
@@ -221,7 +221,7 @@ class LinearPiece {
     if (h < limit) {
       end.at.v = end.at.a = Real(0);
     }
-    if (!(end.at.v > (end.at.a < 0 ? rounding() : Real(0)))) {
+    if (!(end.at.v > (end.at.a < 0 ? start_.rounding(load_, rate_) : Real(0)))) {
       end.event = PieceEvent::touch;
       end.at.v = std::max(end.at.v, std::numeric_limits<Real>::min());
     }
