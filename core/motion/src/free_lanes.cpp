@@ -16,7 +16,9 @@
 
 #include "free_lanes.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #undef HWY_TARGET_INCLUDE
@@ -46,10 +48,7 @@ constexpr std::uint64_t rounds_between_looks = 1U << 16U;  // some milliseconds
 constexpr double least_speed = 0x1p-64;
 constexpr double most_speed = 0x1p64;
 
-template <Index count>
-struct Waiting : Entries<count> {
-  Column<count> notch;
-};
+constexpr std::size_t waiting_values = static_cast<std::size_t>(RunValue::passages);
 
 template <bool times>
 class FreeLanes {
@@ -90,6 +89,8 @@ class FreeLanes {
   }
 
  private:
+  using Of = RunValue;
+
   // --- waiting entries ----------------------------------------------------------------------
 
   /// Makes a whole vector wait, with idle entries if no others are left.
@@ -109,15 +110,11 @@ class FreeLanes {
   }
 
   HWY_INLINE void put_idle_below() {
-    for (auto* column :
-         {&waiting_.index, &waiting_.phi, &waiting_.energy, &waiting_.radius, &waiting_.notch}) {
-      put(at(*column, 0), *column, width);
+    for (std::size_t k = 0; k < waiting_values; ++k) {
+      auto& column = waiting_.columns[k];
+      put(at(column, 0), column, width);
+      put(all(idle[k]), column, 0);
     }
-    put(all(no_entry), waiting_.index, 0);
-    put(all(1), waiting_.phi, 0);
-    put(all(0), waiting_.energy, 0);
-    put(all(1), waiting_.radius, 0);
-    put(all(1), waiting_.notch, 0);
     waiting_count_ += width;
   }
 
@@ -141,19 +138,15 @@ class FreeLanes {
     const V index = hn::Add(hn::Iota(D(), 0), all(static_cast<double>(begin)));
     const bool all_ordinary = hn::AllTrue(D(), ordinary);
     const Order order = to_front(ordinary);
-    wait(index, all_ordinary, order, waiting_.index);
-    wait(phi, all_ordinary, order, waiting_.phi);
-    wait(energy, all_ordinary, order, waiting_.energy);
-    wait(radius, all_ordinary, order, waiting_.radius);
-    wait(notch, all_ordinary, order, waiting_.notch);
+    const std::array<V, waiting_values> entry{index, phi, notch, energy, radius};
+    for (std::size_t k = 0; k < waiting_values; ++k) {
+      put(all_ordinary ? entry[k] : reordered(entry[k], order), waiting_.columns[k],
+          waiting_count_);
+    }
     waiting_count_ += static_cast<Index>(hn::CountTrue(D(), ordinary));
     if (!all_ordinary) {
       run_alone(begin, ordinary);
     }
-  }
-
-  HWY_INLINE void wait(V v, bool in_order, Order order, Column<2 * width>& column) {
-    put(in_order ? v : reordered(v, order), column, waiting_count_);
   }
 
   HWY_INLINE void run_alone(Index begin, M ordinary) {
@@ -180,23 +173,17 @@ class FreeLanes {
   // --- lanes --------------------------------------------------------------------------------
 
   HWY_INLINE void leave_idle(Index i) {
-    put(all(no_entry), runs_.index, i);
-    put(all(1), runs_.phi, i);
-    put(all(1), notch_, i);
+    for (std::size_t k = 0; k < idle.size(); ++k) {
+      put(all(idle[k]), runs_.columns[k], i);
+    }
     put(all(3), three_phi_, i);
     put(all(1), phi_square_, i);
-    put(all(0), runs_.energy, i);
-    put(all(1), runs_.radius, i);
-    put(all(0), runs_.passages, i);
-    put(all(1), runs_.cosine, i);
-    put(all(0), runs_.sine, i);
-    put(all(0), runs_.quarters, i);
   }
 
-  HWY_INLINE bool busy() const {
-    M any = hn::Ge(at(runs_.index, 0), hn::Zero(D()));
+  HWY_INLINE bool busy() {
+    M any = hn::Ge(at(runs_[Of::index], 0), hn::Zero(D()));
     for (Index i = width; i < lanes; i += width) {
-      any = hn::Or(any, hn::Ge(at(runs_.index, i), hn::Zero(D())));
+      any = hn::Or(any, hn::Ge(at(runs_[Of::index], i), hn::Zero(D())));
     }
     return !hn::AllFalse(D(), any);
   }
@@ -205,16 +192,16 @@ class FreeLanes {
   /// even when rounded, a departure > 0 implies that the motion returns. A lane that has ended
   /// keeps its energy and so finds the same radius again.
   HWY_INLINE M half_cycle(Index i) {
-    const V radius = at(runs_.radius, i);
+    const V radius = at(runs_[Of::radius], i);
     const V arrival =
-        hn::Mul(hn::Sub(radius, at(three_phi_, i)), hn::Sub(radius, at(runs_.phi, i)));
-    const V departure = hn::Sub(arrival, at(notch_, i));
+        hn::Mul(hn::Sub(radius, at(three_phi_, i)), hn::Sub(radius, at(runs_[Of::phi], i)));
+    const V departure = hn::Sub(arrival, at(runs_[Of::notch], i));
     const M goes_on = hn::Gt(departure, hn::Zero(D()));
-    const V energy = hn::IfThenElse(goes_on, departure, at(runs_.energy, i));
-    const V passages = at(runs_.passages, i);
-    put(energy, runs_.energy, i);
-    put(hn::Sqrt(hn::Add(energy, at(phi_square_, i))), runs_.radius, i);
-    put(hn::IfThenElse(goes_on, hn::Add(passages, all(1)), passages), runs_.passages, i);
+    const V energy = hn::IfThenElse(goes_on, departure, at(runs_[Of::energy], i));
+    const V passages = at(runs_[Of::passages], i);
+    put(energy, runs_[Of::energy], i);
+    put(hn::Sqrt(hn::Add(energy, at(phi_square_, i))), runs_[Of::radius], i);
+    put(hn::IfThenElse(goes_on, hn::Add(passages, all(1)), passages), runs_[Of::passages], i);
     if constexpr (times) {
       add_deficit(i, arrival, departure, goes_on);
     }
@@ -226,12 +213,13 @@ class FreeLanes {
     const V w = hn::Sqrt(arrival);
     const V v = hn::Sqrt(departure);
     const V c = hn::Mul(hn::Add(hn::Mul(w, v), at(phi_square_, i)), hn::Add(w, v));
-    const V s = hn::Mul(at(runs_.phi, i), at(notch_, i));
-    VectorRotor deficit{at(runs_.cosine, i), at(runs_.sine, i), at(runs_.quarters, i)};
+    const V s = hn::Mul(at(runs_[Of::phi], i), at(runs_[Of::notch], i));
+    VectorRotor deficit{at(runs_[Of::cosine], i), at(runs_[Of::sine], i),
+                        at(runs_[Of::quarters], i)};
     turn(deficit, hn::IfThenElse(goes_on, c, all(1)), hn::IfThenElseZero(goes_on, s));
-    put(deficit.cosine, runs_.cosine, i);
-    put(deficit.sine, runs_.sine, i);
-    put(deficit.quarters, runs_.quarters, i);
+    put(deficit.cosine, runs_[Of::cosine], i);
+    put(deficit.sine, runs_[Of::sine], i);
+    put(deficit.quarters, runs_[Of::quarters], i);
   }
 
   /// Retires the lanes that have ended and gives them waiting entries: the ended lanes move to the
@@ -243,33 +231,16 @@ class FreeLanes {
     const M fresh = hn::FirstN(D(), count);
     const Order order = to_front(ended);
 
-    exchange(runs_.index, i, order, fresh, retired_.runs.index, at(waiting_.index, waiting_count_));
-    const V phi =
-        exchange(runs_.phi, i, order, fresh, retired_.runs.phi, at(waiting_.phi, waiting_count_));
-    exchange(runs_.energy, i, order, fresh, retired_.runs.energy,
-             at(waiting_.energy, waiting_count_));
-    exchange(runs_.radius, i, order, fresh, retired_.runs.radius,
-             at(waiting_.radius, waiting_count_));
-    exchange(runs_.passages, i, order, fresh, retired_.runs.passages, all(0));
-    if constexpr (times) {
-      exchange(runs_.cosine, i, order, fresh, retired_.runs.cosine, all(1));
-      exchange(runs_.sine, i, order, fresh, retired_.runs.sine, all(0));
-      exchange(runs_.quarters, i, order, fresh, retired_.runs.quarters, all(0));
+    for (std::size_t k = 0; k < (times ? idle.size() : waiting_values + 1); ++k) {
+      const V ended_first = reordered(at(runs_.columns[k], i), order);
+      const V waiting = k < waiting_values ? at(waiting_.columns[k], waiting_count_) : all(idle[k]);
+      put(ended_first, retired_.runs.columns[k], retired_.count());
+      put(hn::IfThenElse(fresh, waiting, ended_first), runs_.columns[k], i);
     }
-    put(hn::IfThenElse(fresh, at(waiting_.notch, waiting_count_), reordered(at(notch_, i), order)),
-        notch_, i);
+    const V phi = at(runs_[Of::phi], i);
     put(hn::Mul(all(3), phi), three_phi_, i);
     put(hn::Mul(phi, phi), phi_square_, i);
     retired_.added(static_cast<Index>(count));
-  }
-
-  HWY_INLINE V exchange(Column<lanes>& running, Index i, Order order, M fresh,
-                        Column<2 * width>& retired, V waiting) {
-    const V ended_first = reordered(at(running, i), order);
-    const V now = hn::IfThenElse(fresh, waiting, ended_first);
-    put(ended_first, retired, retired_.count());
-    put(now, running, i);
-    return now;
   }
 
   const BatchEntries& entries_;
@@ -279,13 +250,12 @@ class FreeLanes {
   OverP over_;
   EntryRange range_{0, 0};
 
-  Waiting<2 * width> waiting_{};  // last in, first out
+  Runs<2 * width> waiting_{};  // last in, first out
   Index waiting_count_{0};
   bool drained_{false};  // no entries are left but those that wait here
   std::uint64_t rounds_{0};
 
   Runs<lanes> runs_{};
-  Column<lanes> notch_{};
   Column<lanes> three_phi_{};
   Column<lanes> phi_square_{};
 

@@ -15,6 +15,8 @@
 
 #include <stillpoint/core/elementary.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numbers>
 
@@ -26,21 +28,31 @@ namespace stillpoint::HWY_NAMESPACE {
 
 inline constexpr double no_entry = -1;  ///< the index of an idle lane
 
-/// Of an entry that waits, runs or has ended.
-template <Index count>
-struct Entries {
-  Column<count> index;
-  Column<count> phi;
-  Column<count> energy;  // of the last departure, (8)
-  Column<count> radius;  // that it gives, (2)
+/// The numbers of an entry that waits, runs or has ended.
+enum class RunValue : std::size_t {
+  index,
+  phi,
+  notch,
+  energy,    ///< of the last departure, (8)
+  radius,    ///< that it gives, (2)
+  passages,  ///< the first that is the same for all that wait
+  cosine,    ///< of the deficit, as are the next two; only with times
+  sine,
+  quarters,
+  count
 };
 
+/// Those of an idle lane, and from `passages` on of each entry that waits.
+inline constexpr std::array<double, static_cast<std::size_t>(RunValue::count)> idle{
+    no_entry, 1, 1, 0, 1, 0, 1, 0, 0};
+
 template <Index count>
-struct Runs : Entries<count> {
-  Column<count> passages;
-  Column<count> cosine;  // of the deficit, as are the next two
-  Column<count> sine;
-  Column<count> quarters;
+struct Runs {
+  HWY_INLINE Column<count>& operator[](RunValue value) {
+    return columns[static_cast<std::size_t>(value)];
+  }
+
+  std::array<Column<count>, idle.size()> columns{};
 };
 
 /// v / p; if p = 1 for all entries, without a division.
@@ -76,12 +88,14 @@ class RetiredRuns {
 
   HWY_INLINE void finish_rest() {
     for (Index i = count_; i < width; ++i) {
-      runs.index[i] = no_entry;
+      runs[Of::index][i] = no_entry;
     }
     finish(0);
   }
 
  private:
+  using Of = RunValue;
+
   struct Results {
     Column<width> half_cycles;
     Column<width, std::int64_t> outcome;
@@ -93,7 +107,7 @@ class RetiredRuns {
   HWY_INLINE void finish(Index i) {
     work_out(i);
     for (Index lane = 0; lane < width; ++lane) {
-      const auto entry = static_cast<Index>(runs.index[i + lane]);
+      const auto entry = static_cast<Index>(runs[Of::index][i + lane]);
       if (entry >= 0) {
         output_.half_cycles[entry] = results_.half_cycles[lane];
         output_.outcome[entry] = static_cast<Outcome>(results_.outcome[lane]);
@@ -111,7 +125,7 @@ class RetiredRuns {
     }
     Column<width> found;
     for (Index lane = 0; lane < width; ++lane) {
-      const auto entry = static_cast<Index>(runs.index[i + lane]);
+      const auto entry = static_cast<Index>(runs[Of::index][i + lane]);
       found[lane] = entry < 0 ? 1 : entries.data[entry];
     }
     return at(found, 0);
@@ -121,10 +135,10 @@ class RetiredRuns {
     const V v0 = values_of_retired(entries_.v0, i);
     const V p = values_of_retired(entries_.p, i);
     const V speed = hn::Abs(v0);
-    const V phi = at(runs.phi, i);
-    const V energy = at(runs.energy, i);
-    const V passages = at(runs.passages, i);
-    const V radius = at(runs.radius, i);
+    const V phi = at(runs[Of::phi], i);
+    const V energy = at(runs[Of::energy], i);
+    const V passages = at(runs[Of::passages], i);
+    const V radius = at(runs[Of::radius], i);
     const V three_phi = hn::Mul(all(3), phi);
     const M at_zero = hn::Ge(radius, three_phi);          // (4)
     const M at_peak = hn::Le(radius, hn::Add(phi, phi));  // (5)
@@ -162,7 +176,8 @@ class RetiredRuns {
     outer.sine = hn::IfThenElse(at_zero, down.sine, outer.sine);
     outer.quarters = hn::IfThenElse(at_zero, hn::Add(down.quarters, all(1)), outer.quarters);
 
-    const VectorRotor deficit{at(runs.cosine, i), at(runs.sine, i), at(runs.quarters, i)};
+    const VectorRotor deficit{at(runs[Of::cosine], i), at(runs[Of::sine], i),
+                              at(runs[Of::quarters], i)};
     const VectorDirection direction = between(outer, deficit);
     const V quarters = hn::Sub(outer.quarters, deficit.quarters);
     Column<width> abscissa;
