@@ -289,10 +289,6 @@ std::string scaled_name(std::string_view file, double scale) {
          spelled_out(file.substr(file.rfind('/') + 1));
 }
 
-std::string record_label(const design::SuiteRecord& record) {
-  return scaled_name(record.name, record.scale);
-}
-
 std::string record_words(std::string_view file, double scale, std::string_view units, bool assumed,
                          double peak) {
   return format("{}, in {}{}, peak {}", scaled_name(file, scale), units,

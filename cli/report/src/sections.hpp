@@ -71,7 +71,6 @@ void add_motion(Section& answer, const design::ShownDamper& shown, const Physica
 [[nodiscard]] std::string_view ideal_words(const design::ShownDamper& shown);
 
 /// "2 x a.AT2": the factor and the file of a record of a suite.
-[[nodiscard]] std::string record_label(const design::SuiteRecord& record);
 [[nodiscard]] std::string scaled_name(std::string_view file, double scale);
 /// "0.31 %", "42 %"
 [[nodiscard]] std::string part_words(double part);

@@ -11,8 +11,6 @@ namespace stillpoint::report {
 
 namespace {
 
-using design::Duty;
-
 /// "12 % of the limit is left"
 std::string governing_words(const design::Constraint* limit, const Physical& physical) {
   if (limit == nullptr) {
@@ -26,39 +24,27 @@ std::string governing_words(const design::Constraint* limit, const Physical& phy
 }
 
 /// Of hits and pulses.
-std::string specified(const design::ShownDamper& shown, const Physical& physical,
-                      std::string verdict, std::span<const design::Finding> findings,
-                      const design::CrossCheck* check, const ShownTask& task,
-                      const SheetFrame& frame) {
-  const design::DesignPoint& point = shown.point;
-  const design::DesignPoint granted = design::granted(point, shown.limits);
+std::string specified(ShownAnswer answer, const design::ShownDamper& shown,
+                      std::string_view of_constraints, const SheetFrame& frame) {
+  const auto& [f, delta, tolerance] = shown.point;
+  const design::DesignPoint granted = design::granted(shown.point, shown.limits);
   const design::DamperBox box = box_about(granted, shown.limits.shape);
-  const double width = shown.built != nullptr ? shown.built->shape.width.value_or(0) : 0;
-  const bool asked = shown.limits.tolerance > 0;
-  const design::Judged& judged = shown.judged;
-  const auto& practice = judged.practice_worst ? judged.practice_worst : judged.practice;
+  const double width = answer.design->width;
+  ShownCase& only = answer.cases.front();
+  only.worst.reset();  // over the box of the answer, not of the sheet
   return body(
-      {.physical = physical,
-       .verdict = std::move(verdict),
-       .findings = findings,
-       .constraints = judged.constraints,
-       .of_constraints = of_first_swing(task),
-       .check = check,
-       .works_for = judged.works_for,
-       .practice = practice ? &*practice : nullptr,
-       .damper = {shown.p(), point.f, point.delta, width},
+      {.answer = answer,
+       .of_constraints = of_constraints,
+       .damper = {shown.p(), f, delta, width},
        .f = box.f,
        .delta = box.delta,
        .width = {width, width},
        .p = {},
-       .tolerance = format("{}: {}", tolerance_words(shown.limits, granted.tolerance, point.delta),
-                           asked ? "what was asked for" : "the largest that keeps every limit"),
-       .cases = {{{},
-                  shown_motion(shown, physical),
-                  duty_of(shown),
-                  shown.problem.beta,
-                  {},
-                  governing_words(design::governing(judged.constraints), physical),
+       .tolerance = format("{}: {}", tolerance_words(shown.limits, granted.tolerance, delta),
+                           shown.limits.tolerance > 0 ? "what was asked for"
+                                                      : "the largest that keeps every limit"),
+       .cases = {{only, shown_motion(shown, answer.units), shown.problem.beta,
+                  governing_words(design::governing(answer.constraints), answer.units),
                   motion_of(shown)}}},
       frame);
 }
@@ -77,19 +63,17 @@ std::string sheet_date() {
 }
 
 std::optional<std::string> sheet(const DesignReport& report, const SheetFrame& frame) {
-  const auto& found = report.result.finding;
-  return found ? std::optional(specified(shown_damper(report.result, report.built_notch),
-                                         report.physical, verdict(report), report.findings,
-                                         &found->cross_check, task_of(report), frame))
-               : std::nullopt;
+  return report.result.finding ? std::optional(specified(
+                                     shown(report), shown_damper(report.result, report.built_notch),
+                                     of_first_swing(task_of(report)), frame))
+                               : std::nullopt;
 }
 
 std::optional<std::string> sheet(const RegionReport& report, const SheetFrame& frame) {
   const design::RegionAnswer& answer = report.answer;
   return answer.admissible.value_or(false) && answer.response
-             ? std::optional(specified(shown_damper(report.request, answer), report.physical,
-                                       verdict(report), report.findings, nullptr, task_of(report),
-                                       frame))
+             ? std::optional(specified(shown(report), shown_damper(report.request, answer),
+                                       of_first_swing(task_of(report)), frame))
              : std::nullopt;
 }
 
@@ -99,28 +83,21 @@ std::optional<std::string> sheet(const RecordDesignReport& report, const SheetFr
   if (!finding || !finding->admissible) {
     return std::nullopt;
   }
+  const ShownAnswer answer = shown(report);
   const design::RecordDesignRequest& task = result.request;
   const design::SuiteBox& box = finding->box;
-  const std::vector<Duty> duties = duties_of(result);
   std::vector<SheetCase> cases;
   for (std::size_t c = 0; c < task.cases.size(); ++c) {
     const design::LoadCase& load_case = task.cases[c];
-    const design::CaseMotion motion = motions_of(load_case)[duties[c].index];
+    const design::CaseMotion motion = motions_of(load_case)[answer.cases[c].duty->index];
     const auto limit = governing(result, c);
-    cases.push_back({load_case.name, scaled_name(motion.name, motion.scale), duties[c],
-                     load_case.limits.peak, box.worst[c],
+    cases.push_back({answer.cases[c], scaled_name(motion.name, motion.scale), load_case.limits.peak,
                      governing_words(limit ? &limit->constraint : nullptr, report.physical),
                      motion_of(task, finding->point.damper, motion)});
   }
   return body(
-      {.physical = report.physical,
-       .verdict = verdict(report),
-       .findings = result.findings,
-       .constraints = result.constraints,
+      {.answer = answer,
        .of_constraints = task.tolerance.exact() ? "" : "Each is the worst within the tolerance.",
-       .check = &finding->cross_check,
-       .works_for = finding->works_for,
-       .practice = nullptr,
        .damper = finding->point.damper,
        .f = box.f,
        .delta = box.delta,

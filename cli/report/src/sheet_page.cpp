@@ -39,7 +39,7 @@ struct CaseColumn {
 void specify_cases(Document& sheet, const Specified& of, std::string heading, Table table,
                    const std::vector<CaseColumn>& columns) {
   for (const SheetCase& now : of.cases) {
-    table.rows.push_back({{now.name}});
+    table.rows.push_back({{now.name.value_or("")}});
     if (table.head.size() > 1) {
       table.rows.back().cells.push_back(now.under);
     }
@@ -60,13 +60,12 @@ void specify_duties(Document& sheet, const Specified& of) {
   const auto cycle = [&](auto part) { return duty(&Duty::cycle, part); };
   const auto worst = [](auto part) { return stillpoint::in(&SheetCase::worst, part); };
   using design::FullCycle;
-  using design::SuiteFigures;
   specify_cases(sheet, of, "Stroke, speed and path", {{"case", "farthest under"}, {}},
                 {{"stroke", units.length, duty(&Duty::stroke)},
                  {"worst stroke", units.length, duty(&Duty::stroke_worst)},
                  {"allowed", units.length, &SheetCase::allowed},
-                 {"worst residual", units.length, worst(&SuiteFigures::residual)},
-                 {"worst transmitted", {1, "g"}, worst(&SuiteFigures::acceleration)},
+                 {"worst residual", units.length, worst(&Worst::residual)},
+                 {"worst transmitted", {1, "g"}, worst(&Worst::acceleration)},
                  {"peak velocity", units.velocity, duty(&Duty::peak_velocity)},
                  {"slip path", units.length, duty(&Duty::most, &Energies::slip_path)}});
   specify_cases(
@@ -75,7 +74,7 @@ void specify_duties(Document& sheet, const Specified& of) {
        {"notch", units.energy, duty(&Duty::most, &Energies::notch)},
        {"damping", units.energy,
         [](const SheetCase& now) {
-          const double taken = now.duty.most.damping;
+          const double taken = now.duty->most.damping;
           return taken > 0 ? std::optional(taken) : std::nullopt;
         }},
        {"secant stiffness", stiffness_unit(of.physical), cycle(&FullCycle::secant_stiffness)},
@@ -85,24 +84,25 @@ void specify_duties(Document& sheet, const Specified& of) {
 
 void specify_limits(Document& sheet, const Specified& of) {
   Document limits;
-  add_constraints(limits, of.constraints, of.physical, of.of_constraints);
+  add_constraints(limits, of.answer.constraints, of.physical, of.of_constraints);
   if (limits.sections.empty()) {
     return;
   }
   Section& section = sheet.sections.emplace_back(limits.sections.front());
   section.heading = "Limits";
   for (const SheetCase& now : of.cases) {
-    section.row(of.cases.size() == 1 ? "governs" : now.name + " governed by", now.governs);
+    section.row(of.cases.size() == 1 ? "governs" : *now.name + " governed by", now.governs);
   }
 }
 
 void specify_practice(Document& sheet, const Specified& of) {
   Section& section = sheet.section("In practice");
-  add_works_for(section, of.works_for, of.physical);
-  if (of.practice == nullptr) {
+  add_works_for(section, of.answer.works_for, of.physical);
+  const design::Judged* const judged = of.answer.judged;
+  if (judged == nullptr || !judged->practice) {
     return;
   }
-  const design::Practice& now = *of.practice;
+  const design::Practice& now = judged->practice_worst.value_or(*judged->practice);
   const FigureUnits units = units_of(of.physical);
   section.row("base shear", units.force.words(now.base_shear) +
                                 (units.force.name.empty() ? " of the weight" : ""));
@@ -125,11 +125,11 @@ void specify_practice(Document& sheet, const Specified& of) {
 
 void specify_checks(Document& sheet, const Specified& of) {
   Section& section = sheet.section("Checks");
-  if (of.check != nullptr) {
-    add_check(section, *of.check);
+  if (of.answer.cross_check != nullptr) {
+    add_check(section, *of.answer.cross_check);
   }
   Document told;
-  add_findings(told, of.findings, of.physical);
+  add_findings(told, of.answer.findings, of.physical);
   for (auto& part : told.answer.parts) {
     section.parts.push_back(std::move(part));
   }
@@ -186,7 +186,7 @@ std::string plates(const Specified& of) {
     }
     for (Figure& figure : all) {
       figure.id = format("sheet-{}-{}", figure.id, i + 1);
-      figure.title += alone ? "" : ": " + now.name;
+      figure.title += alone ? "" : ": " + *now.name;
       constexpr double low = 190;
       figure.height = low;
       text += format("<figure>{}<figcaption>{}</figcaption></figure>\n",
@@ -201,7 +201,7 @@ std::string plates(const Specified& of) {
 std::string body(const Specified& of, const SheetFrame& frame) {
   constexpr std::size_t longest = 400;
   Document front;
-  front.answer.line(of.verdict, Tone::heading);
+  front.answer.line(of.answer.verdict, Tone::heading);
   specify_damper(front, of);
   specify_duties(front, of);
   specify_limits(front, of);

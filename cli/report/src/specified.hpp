@@ -3,38 +3,30 @@
 
 // What the specification sheet says of a damper, whatever load it is for.
 
-#include "sections.hpp"
+#include "json/answer_fields.hpp"
 
-#include <stillpoint/design/duty.hpp>
 #include <stillpoint/report/sheet.hpp>
 
 namespace stillpoint::report {
 
 /// A case as it stands on the sheet.
-struct SheetCase {
-  std::string name;
-  std::string under;  ///< the motion that moves the mass farthest
-  design::Duty duty;
-  std::optional<double> allowed;              ///< of the stroke
-  std::optional<design::SuiteFigures> worst;  ///< of records and of several cases
+struct SheetCase : ShownCase {
+  std::string under;              ///< the motion that moves the mass farthest
+  std::optional<double> allowed;  ///< of the stroke
   std::string governs;
   SimulationRequest motion;
 };
 
 /// A damper with all that is said of it.
 struct Specified {
-  const Physical& physical;
-  std::string verdict;
-  std::span<const design::Finding> findings;
-  std::span<const design::Constraint> constraints;
+  const ShownAnswer& answer;
   std::string_view of_constraints;
-  const design::CrossCheck* check;
-  const std::optional<design::WorksFor>& works_for;
-  const design::Practice* practice;  ///< of ranges the worst
   design::SuiteDamper damper;
   Interval f, delta, width, p;  ///< of the tolerance
   std::string tolerance;
   std::vector<SheetCase> cases;
+
+  const Physical& physical{answer.units};
 };
 
 [[nodiscard]] inline bool has_mass(const Physical& physical) {

@@ -94,7 +94,7 @@ Document document(const SpectrumReport& report) {
                                                    : ", friction alone")),
              report, result.combined);
   for (std::size_t i = 0; i < count && count > 1; ++i) {
-    Section& record = document.detail(record_label(task.records[i]));
+    Section& record = document.detail(scaled_name(task.records[i].name, task.records[i].scale));
     add_points(record, report, result.records[i]);
   }
   return document;

@@ -268,7 +268,7 @@ struct ShownAnswer {
   std::optional<ShownNotch> built_notch{};
   std::optional<std::vector<ShownPart>> catalogue{};
   std::optional<std::vector<Traded>> trade_off{};
-  const design::WorksFor* works_for{nullptr};
+  std::optional<design::WorksFor> works_for{};
   const design::SuiteOutlook* outlook{nullptr};
   const design::SearchRecord* search{nullptr};
   const design::CrossCheck* cross_check{nullptr};
@@ -338,8 +338,8 @@ struct AnswerSi : Si {
   /// What would mend an empty region; empty if that input alone cannot.
   [[nodiscard]] IfReal mended(std::string_view field, bool by_stiffness) const;
   [[nodiscard]] std::optional<design::PhysicalWorksFor> works_for() const {
-    const auto* const served = answer->works_for;
-    return served != nullptr ? std::optional(physical_works_for(scales(), *served)) : std::nullopt;
+    const auto& served = answer->works_for;
+    return served ? std::optional(physical_works_for(scales(), *served)) : std::nullopt;
   }
 
   static constexpr auto mend = [](std::string_view field, bool by_stiffness = false) {
@@ -353,8 +353,8 @@ struct AnswerSi : Si {
   };
   static constexpr auto of_hit = [](const auto& now) { return !now.answer->input.pulse; };
   static constexpr auto serves_hits = [](const auto& now) {
-    const auto* const served = now.answer->works_for;
-    return served != nullptr && served->load == design::ServedLoad::v0;
+    const auto& served = now.answer->works_for;
+    return served && served->load == design::ServedLoad::v0;
   };
   static constexpr auto rows = [](const std::vector<design::Hits>& hits) {
     return mapped(hits, [](const design::Hits& row) { return HitsSi{row}; });

@@ -60,7 +60,7 @@ ShownAnswer answer_of(const Report& report, const ShownTask& task,
                   .mends = region.mends};
   if (judged != nullptr) {
     now.constraints = judged->constraints;
-    now.works_for = judged->works_for ? &*judged->works_for : nullptr;
+    now.works_for = judged->works_for;
   }
   now.cases.push_back({.load = {task.pulse ? design::name(*task.pulse) : "hit"}});
   if (const auto& catalogue = report.catalogue) {

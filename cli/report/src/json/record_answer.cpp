@@ -151,7 +151,7 @@ ShownAnswer shown(const RecordDesignReport& report) {
     now.feasible = &result.region->deltas;
   }
   if (const auto& finding = result.finding) {
-    now.works_for = finding->works_for ? &*finding->works_for : nullptr;
+    now.works_for = finding->works_for;
     now.design = boxed_damper(*finding, result.largest_tolerance);
     now.outlook = &finding->outlook;
     now.cross_check = &finding->cross_check;
