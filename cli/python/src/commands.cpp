@@ -28,18 +28,16 @@ py::object trajectory(const std::shared_ptr<const answers::Answer>& answer) {
   if (states.empty()) {
     return py::none();
   }
-  py::array rows;
-  if (found.physical) {
-    std::vector<report::PhysicalState> physical(states.size());
-    std::ranges::transform(states, physical.begin(), [&](const TracedState& state) {
-      return report::physical_state(state, found.physical->scales);
-    });
-    rows = to_array(std::move(physical));
-  } else {
-    rows = py::array_t<TracedState>(
-        static_cast<py::ssize_t>(states.size()), states.data(),
-        kept(std::make_unique<std::shared_ptr<const answers::Answer>>(answer)));
+  py::list columns;
+  for (const std::string_view name : report::trajectory_columns(found.physical)) {
+    columns.append(py::make_tuple(std::string(name), "f8"));
   }
+  const py::dtype type = py::dtype::from_args(columns);
+  const py::array rows =
+      found.physical
+          ? py::array(to_array(report::trajectory_rows(states, found.physical)).attr("view")(type))
+          : py::array(type, static_cast<py::ssize_t>(states.size()), states.data(),
+                      kept(std::make_unique<std::shared_ptr<const answers::Answer>>(answer)));
   rows.attr("flags").attr("writeable") = false;
   return rows;
 }
@@ -113,10 +111,6 @@ std::unique_ptr<Result> run(const Row& row, const py::object& scene, const py::d
 }  // namespace
 
 void add_commands(py::module_& module) {
-  PYBIND11_NUMPY_DTYPE(TracedState, tau, x, v, w, absolute_acceleration, friction);
-  PYBIND11_NUMPY_DTYPE(report::PhysicalState, tau, x, v, w, absolute_acceleration, friction, t_s,
-                       x_m, v_m_per_s, w_m_per_s2, absolute_acceleration_m_per_s2,
-                       friction_m_per_s2);
   result_class<Motion, Result>(
       module, "Motion",
       "What simulate found: the fields of its report as attributes, and trajectory.")

@@ -3,6 +3,10 @@
 
 #include <stillpoint/report/findings.hpp>
 
+#include <fmt/ranges.h>
+
+#include <array>
+#include <bit>
 #include <iterator>
 
 namespace stillpoint::report {
@@ -93,6 +97,21 @@ void add_half_cycles(Section& section, std::span<const HalfCycle> half_cycles,
   }
 }
 
+/// A member of TracedState, and its name in SI units: an acceleration of g, and friction, are in
+/// m/s2.
+struct TraceColumn {
+  std::string_view name;
+  std::string_view in_si;
+  Dimension dimension;
+};
+constexpr auto trace_columns = std::to_array<TraceColumn>(
+    {{"tau", "t_s", Dimension::time},
+     {"x", "x_m", Dimension::length},
+     {"v", "v_m_per_s", Dimension::velocity},
+     {"w", "w_m_per_s2", Dimension::gravities},
+     {"absolute_acceleration", "absolute_acceleration_m_per_s2", Dimension::gravities},
+     {"friction", "friction_m_per_s2", Dimension::gravities}});
+
 }  // namespace
 
 std::string verdict(const MotionReport& report) {
@@ -134,39 +153,33 @@ Document document(const MotionReport& report) {
   return document;
 }
 
-PhysicalState physical_state(const TracedState& state, const design::Scales& scales) {
-  const auto& [tau, x, v, w, felt, friction] = state;
-  const double g = scales.gravity_m_per_s2;
-  return {tau,
-          x,
-          v,
-          w,
-          felt,
-          friction,
-          tau * scales.time_s,
-          x * scales.length_m,
-          v * scales.velocity_m_per_s,
-          w * g,
-          felt * g,
-          friction * g};
+std::vector<std::string_view> trajectory_columns(const Physical& physical) {
+  std::vector<std::string_view> names;
+  std::ranges::transform(trace_columns, std::back_inserter(names), &TraceColumn::name);
+  if (physical) {
+    std::ranges::transform(trace_columns, std::back_inserter(names), &TraceColumn::in_si);
+  }
+  return names;
 }
 
-std::string trajectory_csv(const std::vector<TracedState>& states,
-                           const std::optional<design::PhysicalInput>& physical) {
-  std::string text = "tau,x,v,w,absolute_acceleration,friction";
-  text += physical ? ",t_s,x_m,v_m_per_s,w_m_per_s2,absolute_acceleration_m_per_s2,"
-                     "friction_m_per_s2\n"
-                   : "\n";
+std::vector<double> trajectory_rows(std::span<const TracedState> states, const Physical& physical) {
+  std::vector<double> rows;
+  rows.reserve(states.size() * trace_columns.size() * (physical ? 2 : 1));
+  for (const TracedState& state : states) {
+    const auto values = std::bit_cast<std::array<double, trace_columns.size()>>(state);
+    rows.insert(rows.end(), values.begin(), values.end());
+    for (std::size_t i = 0; physical && i < values.size(); ++i) {
+      rows.push_back(*physical->scales.in_si(trace_columns.at(i).dimension, values.at(i)));
+    }
+  }
+  return rows;
+}
+
+std::string trajectory_csv(const std::vector<TracedState>& states, const Physical& physical) {
+  std::string text = format("{}\n", fmt::join(trajectory_columns(physical), ","));
   auto end = std::back_inserter(text);
   for (const TracedState& state : states) {
-    const auto& [tau, x, v, w, felt, friction] = state;
-    fmt::format_to(end, "{},{},{},{},{},{}", tau, x, v, w, felt, friction);
-    if (physical) {
-      const PhysicalState now = physical_state(state, physical->scales);
-      fmt::format_to(end, ",{},{},{},{},{},{}", now.t_s, now.x_m, now.v_m_per_s, now.w_m_per_s2,
-                     now.absolute_acceleration_m_per_s2, now.friction_m_per_s2);
-    }
-    text += '\n';
+    fmt::format_to(end, "{}\n", fmt::join(trajectory_rows({&state, 1}, physical), ","));
   }
   return text;
 }

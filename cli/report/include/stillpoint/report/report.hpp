@@ -19,6 +19,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 namespace stillpoint::report {
 
@@ -102,25 +103,14 @@ struct AccuracyReport {
 [[nodiscard]] std::vector<figures::Figure> drawings(const RegionReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const MotionReport& report);
 
-/// A state of a trajectory in metres and seconds as well.
-struct PhysicalState {
-  double tau{0};
-  double x{0};
-  double v{0};
-  double w{0};
-  double absolute_acceleration{0};
-  double friction{0};
-  double t_s{0};
-  double x_m{0};
-  double v_m_per_s{0};
-  double w_m_per_s2{0};
-  double absolute_acceleration_m_per_s2{0};
-  double friction_m_per_s2{0};  ///< the force over the mass
-};
-[[nodiscard]] PhysicalState physical_state(const TracedState& state, const design::Scales& scales);
-
-/// A line for each state, with the columns of PhysicalState, or those of TracedState
-/// without physical input.
+/// The columns of a trajectory: the members of TracedState, and with physical input the same in
+/// metres and seconds.
+[[nodiscard]] std::vector<std::string_view> trajectory_columns(
+    const std::optional<design::PhysicalInput>& physical);
+/// Their values, one state after the other.
+[[nodiscard]] std::vector<double> trajectory_rows(
+    std::span<const TracedState> states, const std::optional<design::PhysicalInput>& physical);
+/// The same as text, a line for each state.
 [[nodiscard]] std::string trajectory_csv(const std::vector<TracedState>& states,
                                          const std::optional<design::PhysicalInput>& physical);
 
