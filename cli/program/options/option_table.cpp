@@ -11,6 +11,8 @@
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/texts/embedded.hpp>
 
+#include <cassert>
+
 #include <list>
 
 namespace stillpoint::cli {
@@ -82,8 +84,9 @@ constexpr OrPerWeight or_force{Dimension::force};
 constexpr OrPerWeight or_energy{Dimension::energy};
 constexpr Needs of_a_reduction{sweep, "reduce", "a sweep without rows"};
 
-// name, kind, placeholder, commands, facts; the help is a line of data/help/options.txt
-constexpr auto in_motion = std::to_array<Option>(
+// name, kind, placeholder, commands, facts; the help is a line of data/help/options.txt, under the
+// heading of its group
+constexpr auto rows = std::to_array<Option>(
     {row("v0", number, "V", every, swept, Units::dimensionless, Rivals::hit, RangeEnd::high),
      row("p", number, "P", every, swept, Units::dimensionless, Rivals::stiffness, RangeEnd::low),
      row("beta", number, "B", of_designs, swept, Units::dimensionless, Rivals::stroke, limits_case),
@@ -91,10 +94,9 @@ constexpr auto in_motion = std::to_array<Option>(
          Values{[] { return design::excitation_names(true); }},
          Excludes{sweep, "residual residual-m", "in a sweep a design for a pulse stops at x = 0"},
          Instead{"a motion takes --excitation"}),
-     row("x0", number, "X", motions | sweep, swept, Units::dimensionless, Rivals::start)});
+     row("x0", number, "X", motions | sweep, swept, Units::dimensionless, Rivals::start),
 
-constexpr auto in_physical = std::to_array<Option>(
-    {row("velocity", number, "M/S", in_metres, swept, Rivals::hit, InSi{Dimension::velocity},
+     row("velocity", number, "M/S", in_metres, swept, Rivals::hit, InSi{Dimension::velocity},
          RangeEnd::high, Also{"pgv speed"}),
      row("max-displacement", number, "M", of_designs, swept, Rivals::stroke,
          InSi{Dimension::length}, Also{"stroke displacement"}, limits_case),
@@ -107,10 +109,9 @@ constexpr auto in_physical = std::to_array<Option>(
      row("mass", number, "KG", in_metres | spectrum, InSi{Dimension::mass}),
      row("gravity", number, "M/S2", in_metres | spectrum, Units::physical_without_records,
          Dimension::acceleration),
-     row("x0-m", number, "M", motions | sweep, swept, Rivals::start, InSi{Dimension::length})});
+     row("x0-m", number, "M", motions | sweep, swept, Rivals::start, InSi{Dimension::length}),
 
-constexpr auto in_damper = std::to_array<Option>(
-    {row("f", number, "F", region | motions | sweep | spectrum, swept, Rivals::friction,
+     row("f", number, "F", region | motions | sweep | spectrum, swept, Rivals::friction,
          Also{"friction mu"}, Instead{"region judges a given damper"}),
      row("friction-force", number, "N", region | motions | sweep | spectrum, swept,
          Rivals::friction, InSi{Dimension::force}, Also{"force"},
@@ -151,10 +152,9 @@ constexpr auto in_damper = std::to_array<Option>(
      row("jump-max", number, "M/S", design | region, DesignFor::cases, InSi{Dimension::velocity},
          Rivals::jump_limit, limits_case),
      row("jump-max-v", number, "V", design | region, DesignFor::cases, Rivals::jump_limit,
-         Units::dimensionless, limits_case)});
+         Units::dimensionless, limits_case),
 
-constexpr auto in_searching = std::to_array<Option>(
-    {row("catalogue", text, "FILE", of_designs, FileUse::read,
+     row("catalogue", text, "FILE", of_designs, FileUse::read,
          Excludes{design, "search-f search-delta-m search-period search-notch-width-m",
                   "the parts are what is searched"}),
      row("trade-off", integer, "N", design | sweep,
@@ -176,10 +176,9 @@ constexpr auto in_searching = std::to_array<Option>(
      row("search-notch-width-m", number, "LOW:HIGH", design, DesignFor::cases,
          InSi{Dimension::length}, Rivals::notch, RangeEnd::high),
      row("scan-points", integer, "N", design, DesignFor::records, Bounds{1, most_scan_points}),
-     row("algorithm", text, "NAME", design, DesignFor::hit, Values{design::algorithm_names})});
+     row("algorithm", text, "NAME", design, DesignFor::hit, Values{design::algorithm_names}),
 
-constexpr auto in_shaking = std::to_array<Option>(
-    {row("excitation", text, "TYPE", of_excitations,
+     row("excitation", text, "TYPE", of_excitations,
          Values{[] { return design::excitation_names(); }}, InScene::group,
          Instead{"a design takes --pulse"}),
      row("k", number, "K", of_waves, Load::wave, swept, Dimension::gravities, RangeEnd::high),
@@ -207,10 +206,9 @@ constexpr auto in_shaking = std::to_array<Option>(
      row("record-spectrum-period", number, "T", in_records, Load::record, Dimension::time,
          Needs{in_records, "record-spectrum records-list", "a spectral value"}),
      row("end-time", number, "S", of_excitations, InSi{Dimension::time}, Rivals::end),
-     row("t-end", number, "TAU", of_excitations, Rivals::end)});
+     row("t-end", number, "TAU", of_excitations, Rivals::end),
 
-constexpr auto in_sweeping = std::to_array<Option>(
-    {row("list", text, "FILE", sweep, entries, FileUse::read),
+     row("list", text, "FILE", sweep, entries, FileUse::read),
      row("format", text, "NAME", sweep, content, Values{names<sweep::RowFormat>},
          Excludes{sweep, "reduce", "the report is JSON"}),
      row("columns", text, "NAMES", sweep, output,
@@ -223,10 +221,9 @@ constexpr auto in_sweeping = std::to_array<Option>(
      row("best", text, "ROWS", sweep, repeats, of_a_reduction),
      row("part", text, "I/N", sweep, execution,
          Excludes{sweep, "open html svg", "a map shows a whole sweep"}),
-     row("resume", flag, "", sweep, execution)});
+     row("resume", flag, "", sweep, execution),
 
-constexpr auto in_writing = std::to_array<Option>(
-    {row("max-half-cycles", integer, "N", simulate, content, Bounds{0, 100'000}),
+     row("max-half-cycles", integer, "N", simulate, content, Bounds{0, 100'000}),
      row("half-cycle-limit", number, "N", simulate | sweep),
      row("trajectory", text, "FILE", simulate, output, FileUse::written),
      row("samples", integer, "N", simulate, output, Bounds{2, 1'000'000},
@@ -248,25 +245,9 @@ constexpr auto in_writing = std::to_array<Option>(
      row("quiet", flag, "", reporting, Rivals::verbosity, output),
      row("verbose", flag, "", reporting, Rivals::verbosity, output)});
 
-/// The headings of --help.
-struct Group {
-  std::string_view heading;
-  std::span<const Option> rows;
-};
-constexpr auto groups = std::to_array<Group>(
-    {{"Motion (dimensionless)", in_motion},
-     {"Motion in SI units, or with units: 150mm, 2.8s, 1200t (instead of the dimensionless "
-      "options)",
-      in_physical},
-     {"Damper", in_damper},
-     {"Search", in_searching},
-     {"Excitation (W in units of g)", in_shaking},
-     {"Sweep", in_sweeping},
-     {"Output", in_writing}});
-
 /// In the file {} stands for the values.
-std::string help_of(const Option& option) {
-  std::string help(texts::line_of("help/options.txt", option.name));
+std::string help_of(const Option& option, std::string_view line) {
+  std::string help(line);
   if (const std::size_t place = help.find("{}"); place != std::string::npos) {
     const OptionTraits& traits = option.traits;
     help.replace(place, 2,
@@ -277,17 +258,23 @@ std::string help_of(const Option& option) {
   return help;
 }
 
-/// With their groups and their help.
+/// With their groups and their help, in the order of the file.
 std::vector<Option> all_options() {
-  static std::list<std::string> texts;
+  static std::list<std::string> helps;
   std::vector<Option> all;
-  for (const auto& [heading, rows] : groups) {
-    for (Option option : rows) {
+  std::string_view heading;
+  for (const std::string_view line : records::split(texts::embedded("help/options.txt"), '\n')) {
+    const std::string_view name = line.substr(0, line.find(": "));
+    if (line.starts_with("# ")) {
+      heading = line.substr(2);
+    } else if (const auto* const row = std::ranges::find(rows, name, &Option::name);
+               row != rows.end()) {
+      Option& option = all.emplace_back(*row);
       option.group = heading;
-      option.help = texts.emplace_back(help_of(option));
-      all.push_back(option);
+      option.help = helps.emplace_back(help_of(option, line.substr(name.size() + 2)));
     }
   }
+  assert(all.size() == rows.size() && "an option without help");
   return all;
 }
 
