@@ -79,20 +79,11 @@ report::RecordDesignReport watched(const report::RecordDesignInput& input) {
   return {design::design(input.request, show), input};
 }
 
-ExitCode run_cases(const Settings& settings, Command command, Output& output) {
-  return finish(watched(record_design_input(settings, command)), command, settings, output);
-}
-
-ExitCode run_design(const Settings& settings, Output& output) {
-  return takes_cases(settings)
-             ? run_cases(settings, Command::design, output)
-             : finish(answers::answer(design_input(settings)), Command::design, settings, output);
-}
-
-ExitCode run_region(const Settings& settings, Output& output) {
-  return takes_cases(settings)
-             ? run_cases(settings, Command::region, output)
-             : finish(answers::answer(region_input(settings)), Command::region, settings, output);
+template <Command command>
+ExitCode run_dampers(const Settings& settings, Output& output) {
+  return answer_dampers(
+      settings, command, [](const report::RecordDesignInput& input) { return watched(input); },
+      [&](const auto& report) { return finish(report, command, settings, output); });
 }
 
 /// The file that the option gives its rows, or "-" for them instead of the report; empty for none.
@@ -139,9 +130,12 @@ ExitCode run_spectrum(const Settings& settings, Output& output) {
 
 ExitCode run(Command command, const Settings& settings, Output& output) {
   static const std::map<Command, ExitCode (*)(const Settings&, Output&)> runners{
-      {Command::design, run_design},     {Command::region, run_region},
-      {Command::simulate, run_simulate}, {Command::spectrum, run_spectrum},
-      {Command::sweep, run_sweep},       {Command::accuracy, run_accuracy}};
+      {Command::design, run_dampers<Command::design>},
+      {Command::region, run_dampers<Command::region>},
+      {Command::simulate, run_simulate},
+      {Command::spectrum, run_spectrum},
+      {Command::sweep, run_sweep},
+      {Command::accuracy, run_accuracy}};
   return runners.at(command)(settings, output);
 }
 

@@ -123,9 +123,8 @@ Settings within_limits(Settings settings) {
 }
 
 /// Of records, and of what closed forms do not know: each damper is simulated.
-ordered_json said_of_cases(Command command, const Settings& settings, const json& request) {
+report::RecordDesignReport searched(report::RecordDesignInput input) {
   using Clock = std::chrono::steady_clock;
-  report::RecordDesignInput input = record_design_input(settings, command);
   input.request.threads = 1;
   Clock::time_point told = Clock::now();
   const auto tell = [&](const design::RecordProgress& now) {
@@ -135,7 +134,7 @@ ordered_json said_of_cases(Command command, const Settings& settings, const json
     }
     return true;
   };
-  return said_of(report::RecordDesignReport(design::design(input.request, tell), input), request);
+  return {design::design(input.request, tell), input};
 }
 
 ordered_json said_by(Command command, const Settings& settings, const json& request) {
@@ -145,13 +144,11 @@ ordered_json said_by(Command command, const Settings& settings, const json& requ
   if (command != Command::design && command != Command::region) {
     throw UsageError(fmt::format("{} works only on the command line", name(command)));
   }
-  if (takes_cases(settings)) {
-    return command == Command::design && request.at("quick").get<bool>()
-               ? ordered_json{{"exit", 0}, {"figures", json::array()}, {"searches", true}}
-               : said_of_cases(command, settings, request);
+  if (takes_cases(settings) && command == Command::design && request.at("quick").get<bool>()) {
+    return {{"exit", 0}, {"figures", json::array()}, {"searches", true}};
   }
-  return command == Command::design ? said_of(answers::answer(design_input(settings)), request)
-                                    : said_of(answers::answer(region_input(settings)), request);
+  return answer_dampers(settings, command, searched,
+                        [&](const auto& report) { return said_of(report, request); });
 }
 
 ordered_json run(const json& request) {

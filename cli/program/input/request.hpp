@@ -54,6 +54,16 @@ namespace stillpoint::cli {
 /// Throws UsageError, InputError and FileError.
 [[nodiscard]] report::RecordDesignInput record_design_input(const Settings& given, Command command);
 
+/// What `see` makes of the answer of design or region: of the one that `searched` finds for load
+/// cases, or of that of the closed forms.
+template <class Searched, class See>
+auto answer_dampers(const Settings& settings, Command command, const Searched& searched,
+                    const See& see) {
+  return takes_cases(settings)        ? see(searched(record_design_input(settings, command)))
+         : command == Command::design ? see(answers::answer(design_input(settings)))
+                                      : see(answers::answer(region_input(settings)));
+}
+
 /// Throws UsageError for an option that only the other kind of design takes.
 void require_options_for(const Settings& settings, DesignFor design);
 

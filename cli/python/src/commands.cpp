@@ -46,20 +46,14 @@ using Given = cli::Settings;
 using GoOn = std::function<bool()>;
 using Found = std::unique_ptr<answers::Answer>;
 
-Found found_for_cases(const Given& given, cli::Command command, const GoOn& go_on) {
-  const report::RecordDesignInput input = cli::record_design_input(given, command);
-  return answers::answer_of(report::RecordDesignReport{
-      design::design(input.request, [&](const auto& /*progress*/) { return go_on(); }), input});
-}
-
-Found found_design(const Given& given, const GoOn& go_on) {
-  return cli::takes_cases(given) ? found_for_cases(given, cli::Command::design, go_on)
-                                 : answers::answer_of(answers::answer(cli::design_input(given)));
-}
-
-Found found_region(const Given& given, const GoOn& go_on) {
-  return cli::takes_cases(given) ? found_for_cases(given, cli::Command::region, go_on)
-                                 : answers::answer_of(answers::answer(cli::region_input(given)));
+template <Command command>
+Found found_dampers(const Given& given, const GoOn& go_on) {
+  const auto searched = [&](const report::RecordDesignInput& input) {
+    return report::RecordDesignReport{
+        design::design(input.request, [&](const auto& /*progress*/) { return go_on(); }), input};
+  };
+  return cli::answer_dampers(given, command, searched,
+                             [](auto report) { return answers::answer_of(std::move(report)); });
 }
 
 Found found_motion(const Given& given, const GoOn& go_on) {
@@ -79,10 +73,10 @@ struct Row {
   std::string_view about;
 };
 constexpr std::array rows{
-    Row{Command::design, found_design,
+    Row{Command::design, found_dampers<Command::design>,
         "Designs a damper: the admissible region, the search in it, its motion and its check; with "
         "record, for a suite of acceleration records."},
-    Row{Command::region, found_region,
+    Row{Command::region, found_dampers<Command::region>,
         "The admissible region of f and delta, without a search; with f and delta, where this "
         "damper stands in it."},
     Row{Command::simulate, found_motion,
