@@ -119,6 +119,24 @@ inline constexpr auto fields<design::Strip> =
                      "the largest of any damper that stops at this arrival"}};
 
 template <>
+inline constexpr auto fields<design::WorksFor> = [] {
+  using Now = design::WorksFor;
+  using Load = design::ServedLoad;
+  constexpr auto of_load = [](Load which) {
+    return only_if([which](const auto& now) { return now.load == which; }, &Now::hit);
+  };
+  return std::tuple{
+      Field{"v0", of_load(Load::v0)}, Field{"k", of_load(Load::k), "of a pulse"},
+      Field{"scale", of_load(Load::scale), "of records, and of all loads of several cases"},
+      Field{"p", &Now::p}};
+}();
+
+template <>
+inline constexpr auto fields<design::FeasibleDelta> =
+    std::tuple{Field{"f", &design::FeasibleDelta::f},
+               Field{"delta", &design::FeasibleDelta::delta, "", in_metres}};
+
+template <>
 inline constexpr auto fields<design::RegionVerdict> = [] {
   using design::Region;
   using Now = design::RegionVerdict;
