@@ -14,6 +14,15 @@
 
 namespace stillpoint::sweep {
 
+namespace {
+
+std::optional<double> if_given(const SweepSpec& spec, const std::function<double(Quantity)>& at,
+                               Quantity input) {
+  return given(spec, input) ? std::optional(at(input)) : std::nullopt;
+}
+
+}  // namespace
+
 std::int64_t whole_arrivals(double value) {
   if (!(value >= 1 && value <= design::most_arrivals && value == std::floor(value))) {
     throw InputError("arrivals", value,
@@ -23,18 +32,16 @@ std::int64_t whole_arrivals(double value) {
 }
 
 design::DesignRequest request_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
-  const auto if_given = [&](Quantity input) {
-    return given(spec, input) ? std::optional(at(input)) : std::nullopt;
-  };
+  const auto find = [&](Quantity input) { return if_given(spec, at, input); };
   design::DesignRequest request{spec.task, spec.limits, spec.search, spec.pulse};
   design::Problem& problem = request.problem;
-  problem.v0 = if_given(Quantity::v0).value_or(0);
-  problem.v0_low = if_given(Quantity::v0_low);
+  problem.v0 = find(Quantity::v0).value_or(0);
+  problem.v0_low = find(Quantity::v0_low);
   problem.p = at(Quantity::p);
-  problem.p_high = if_given(Quantity::p_high);
+  problem.p_high = find(Quantity::p_high);
   problem.beta = at(Quantity::beta);
-  problem.residual = if_given(Quantity::residual);
-  if (const auto arrivals = if_given(Quantity::arrivals)) {
+  problem.residual = find(Quantity::residual);
+  if (const auto arrivals = find(Quantity::arrivals)) {
     problem.arrivals = whole_arrivals(*arrivals);
   }
   if (request.pulse) {
@@ -44,7 +51,7 @@ design::DesignRequest request_of(const SweepSpec& spec, const std::function<doub
           pulse.lambda = at(Quantity::lambda);
         },
         *request.pulse);
-    request.pulse_ranges = {if_given(Quantity::k_low), if_given(Quantity::lambda_high)};
+    request.pulse_ranges = {find(Quantity::k_low), find(Quantity::lambda_high)};
   }
   return request;
 }
@@ -85,11 +92,8 @@ design::SuiteTolerance tolerance_of(const design::Limits& limits, bool grows) {
 
 std::optional<design::RecordDesignRequest> simulated_request(
     const SweepSpec& spec, const std::function<double(Quantity)>& at) {
-  const auto value = [&](Quantity input, double usual) {
-    return given(spec, input) ? at(input) : usual;
-  };
-  const double zeta = value(Quantity::damping, 0);
-  const double breakaway = value(Quantity::breakaway, 1);
+  const double zeta = if_given(spec, at, Quantity::damping).value_or(0);
+  const double breakaway = if_given(spec, at, Quantity::breakaway).value_or(1);
   if (zeta == 0 && breakaway == 1) {
     return std::nullopt;
   }
@@ -138,22 +142,15 @@ Excitation load_of(const SweepSpec& spec, const std::function<double(Quantity)>&
 }
 
 MotionRequest motion_of(const SweepSpec& spec, const std::function<double(Quantity)>& at) {
-  MotionRequest motion{{.p = at(Quantity::p), .f = at(Quantity::f), .delta = at(Quantity::delta)},
-                       {.x0 = at(Quantity::x0), .v0 = at(Quantity::v0)},
-                       {{}, spec.zones}};
-  if (given(spec, Quantity::hold)) {
-    motion.oscillator.hold = at(Quantity::hold);
-  }
-  if (given(spec, Quantity::damping)) {
-    motion.oscillator.zeta = at(Quantity::damping);
-  }
-  if (given(spec, Quantity::breakaway)) {
-    motion.oscillator.breakaway = at(Quantity::breakaway);
-  }
-  if (given(spec, Quantity::notch_width)) {
-    motion.surface.notch_width = at(Quantity::notch_width);
-  }
-  return motion;
+  const auto find = [&](Quantity input) { return if_given(spec, at, input); };
+  return {{.p = at(Quantity::p),
+           .f = at(Quantity::f),
+           .delta = at(Quantity::delta),
+           .hold = find(Quantity::hold),
+           .zeta = find(Quantity::damping).value_or(0),
+           .breakaway = find(Quantity::breakaway).value_or(1)},
+          {.x0 = at(Quantity::x0), .v0 = at(Quantity::v0)},
+          {find(Quantity::notch_width), spec.zones}};
 }
 
 }  // namespace stillpoint::sweep

@@ -113,24 +113,23 @@ struct Designed {
   Response motion;
 };
 
-/// With its largest tolerance of f and Delta alike.
-design::DesignPoint evened(const design::DesignRequest& request, design::DesignPoint point) {
-  point.tolerance = even_tolerance(request.problem, request.limits, point);
-  return point;
-}
-
 /// The best damper of all, or of the parts; empty if none is admissible.
 std::optional<design::DesignPoint> point_of(const design::DesignRequest& request,
                                             const std::vector<design::Part>& parts) {
   const auto& [problem, limits, options, pulse, ranges] = request;
+  std::optional<design::DesignPoint> point;
   if (parts.empty()) {
-    const auto found = design::search(problem, limits, options);
-    return found ? std::optional(evened(request, found->point)) : std::nullopt;
+    if (const auto found = design::search(problem, limits, options)) {
+      point = found->point;
+    }
+  } else if (const auto best = design::ranked(problem, limits, options.objective, parts).front();
+             best.admissible) {
+    point = {best.part.f, best.part.delta, best.tolerance.value_or(0)};
   }
-  const auto [part, admissible, tolerance, violated] =
-      design::ranked(problem, limits, options.objective, parts).front();
-  return admissible ? std::optional(evened(request, {part.f, part.delta, tolerance.value_or(0)}))
-                    : std::nullopt;
+  if (point) {  // its largest tolerance of f and Delta alike
+    point->tolerance = even_tolerance(problem, limits, *point);
+  }
+  return point;
 }
 
 std::optional<Designed> designed_for_pulse(const design::DesignRequest& request,
@@ -194,7 +193,7 @@ void SweepStep::operator()(SweepBlock& block) {
 }
 
 void SweepStep::require_ranges(const SweepBlock& block) const {
-  for (const Quantity input : {v0, p, k, lambda}) {
+  for (const Quantity input : ranged_inputs) {
     if (const auto& others = block[*other_end(input)]; others.size() > 0) {
       check_each(block,
                  [&](Index i) { require_in_order(spec_, input, block[input][i], others[i]); });

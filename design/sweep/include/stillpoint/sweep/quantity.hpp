@@ -176,20 +176,13 @@ constexpr bool contains(std::span<const Quantity> quantities, Quantity quantity)
   return std::ranges::find(quantities, quantity) != quantities.end();
 }
 
+/// The inputs that may be ranges, each followed by the quantity of its other end.
+inline constexpr std::array ranged_inputs{Quantity::v0, Quantity::p, Quantity::k, Quantity::lambda};
+
 /// If an input is a range, the quantity of the end that does not stand for it.
-constexpr std::optional<Quantity> other_end(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::v0:
-      return Quantity::v0_low;
-    case Quantity::p:
-      return Quantity::p_high;
-    case Quantity::k:
-      return Quantity::k_low;
-    case Quantity::lambda:
-      return Quantity::lambda_high;
-    default:
-      return std::nullopt;
-  }
+constexpr std::optional<Quantity> other_end(Quantity input) {
+  return contains(ranged_inputs, input) ? std::optional(quantity_forms[index(input) + 1].quantity)
+                                        : std::nullopt;
 }
 
 /// How an entry of a sweep ends, by number: an Outcome or too_many_half_cycles, whose byte in files
