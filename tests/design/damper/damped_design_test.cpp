@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(the_best_tolerance_is_that_of_the_edges) {
     BOOST_TEST_CONTEXT("zeta = " << zeta << ", f <= " << f_max) {
       BOOST_REQUIRE(found.finding.has_value());
       BOOST_TEST(found.finding->cross_check.passed);
-      BOOST_TEST(found.largest_tolerance.value() >= best - of_searched_tolerance);
+      BOOST_TEST(found.largest_tolerance.value() >= best - of_edge);
       BOOST_TEST(*found.largest_tolerance <= best + of_edge);
       // More can be asked for, unless it is required.
       request.tolerance = {{best + 0.2, best + 0.2}, {best + 0.2, best + 0.2}, {}, {}};

@@ -19,13 +19,14 @@ struct Leg {
   double p{1};
   bool softens{false};
   std::vector<double> stops;  ///< the s to look at
+  Interval zeta{};
 
   [[nodiscard]] Pulse pulse_at(double s) const {
     return softens ? first : with(first, 1, angular_frequency(first) * s);
   }
   [[nodiscard]] double p_at(double s) const { return softens ? p / s : p; }
   [[nodiscard]] FirstReturn at(double s, double f) const {
-    return rescaled(first_return(pulse_at(s), p_at(s), f), 1, p_at(s));
+    return rescaled(first_return(pulse_at(s), p_at(s), f, zeta), 1, p_at(s));
   }
 };
 

@@ -48,8 +48,10 @@ inline constexpr double unpassable = 1e250;
 /// The pulse in units of k and p.
 [[nodiscard]] Pulse unit_pulse(const Pulse& pulse, double p);
 
-/// One run of the pulse with that f, in units of k and p; the pulse is in its own units.
-[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f);
+/// One run of the pulse with that f, in units of k and p; the pulse is in its own units. The worse
+/// of both ends of the damping.
+[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f,
+                                       const Interval& zeta = {});
 
 /// The same without a search for events, docs/theory.md section 16, of the pulse in units of k and
 /// p with friction f < 1; empty for a kind without a closed form, and for a full sine that is very
@@ -61,6 +63,9 @@ inline constexpr double unpassable = 1e250;
 inline constexpr std::array bounded_figures{&FirstReturn::peak, &FirstReturn::time,
                                             &FirstReturn::acceleration, &FirstReturn::exact_need,
                                             &FirstReturn::published_need};
+
+/// Each figure is the larger, and it returns if both do.
+void take_worse(FirstReturn& worst, const FirstReturn& other);
 
 /// A motion of the unit pulse on the unit spring as that of the load k on the spring p, both over
 /// the units: (60) of docs/theory.md.

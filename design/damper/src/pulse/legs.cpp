@@ -17,13 +17,13 @@ double length(const Pulse& pulse) {
 }
 
 /// In steps of lambda/p by a tenth, and of the pulse's length by a third of a radian of the spring.
-Leg leg_of(const Pulse& pulse, double p, bool softens, double ratio) {
+Leg leg_of(const Pulse& pulse, double p, bool softens, double ratio, const Interval& zeta) {
   constexpr double part = 0.1;
   constexpr double turn = 0.3;
   const double turned = length(pulse) * p * (1 - 1 / ratio);
   const double steps =
       std::max({std::ceil(elementary::log(ratio) / part), std::ceil(turned / turn), 2.0});
-  Leg leg{pulse, p, softens, {1}};
+  Leg leg{pulse, p, softens, {1}, zeta};
   for (double i = 1; i < steps; ++i) {
     leg.stops.push_back(elementary::pow(ratio, i / steps));
   }
@@ -34,15 +34,17 @@ Leg leg_of(const Pulse& pulse, double p, bool softens, double ratio) {
 }  // namespace
 
 Legs::Legs(const PulseProblem& problem)
-    : criterion_(problem.criterion), softest_(unit_pulse(problem.pulse, problem.p)) {
+    : criterion_(problem.criterion),
+      softest_(unit_pulse(problem.pulse, problem.p)),
+      zeta_(problem.zeta) {
   const double stiffest = problem.p_high.value_or(problem.p) / problem.p;
   const double longest = angular_frequency(problem.pulse);
   const double shortest = problem.ranges.lambda_high.value_or(longest);
   if (stiffest > 1) {
-    legs_.push_back(leg_of(softest_, stiffest, true, stiffest));
+    legs_.push_back(leg_of(softest_, stiffest, true, stiffest, zeta_));
   }
   if (shortest > longest) {
-    legs_.push_back(leg_of(softest_, 1, false, shortest / longest));
+    legs_.push_back(leg_of(softest_, 1, false, shortest / longest, zeta_));
   }
 }
 
@@ -58,7 +60,7 @@ std::array<Pulse, 2> Legs::ends() const {
 
 Legs::Worst Legs::at(double f) const {
   if (is_single()) {
-    return {first_return(softest_, 1, f), softest_, 1};
+    return {first_return(softest_, 1, f, zeta_), softest_, 1};
   }
   std::vector<AlongLeg> along;
   along.reserve(legs_.size());

@@ -52,7 +52,8 @@ double cost_of(const PulseProblem& problem) {
   constexpr double without_form = 250;
   const double lambda = angular_frequency(problem.pulse);
   const double p = problem.p_high.value_or(problem.p);
-  const bool closed = closed_return(unit_pulse(problem.pulse, problem.p), 0.5).has_value();
+  const bool closed = problem.zeta.high == 0 &&
+                      closed_return(unit_pulse(problem.pulse, problem.p), 0.5).has_value();
   return closed ? 1 + p / lambda : without_form;
 }
 
@@ -147,6 +148,7 @@ bool fits(const PulseCase& now) {
 /// range that is narrower.
 std::vector<Input<PulseCase>> inputs_of(const PulseProblem& problem) {
   constexpr double growth = 1.12;
+  constexpr double above_rounding = 1 + 1e-12;
   const auto& [k_low, lambda_high] = problem.ranges;
   const double k = peak_load(problem.pulse);
   const double lambda = angular_frequency(problem.pulse);
@@ -166,7 +168,7 @@ std::vector<Input<PulseCase>> inputs_of(const PulseProblem& problem) {
     };
     list.push_back({"lambda_low", lambda, shortest, of_motions(set_lambda)});
     list.push_back({"lambda_high", shortest, lambda, of_motions(set_high)});
-  } else {
+  } else if (!problem.of_hit) {
     const double longest = std::max(lambda / far_factor, stiffest / slowest_examined);
     list.push_back({"lambda", lambda, std::min(lambda * far_factor, p * fastest_pulse),
                     of_motions(set_lambda), std::min(lambda, longest), growth});
@@ -176,7 +178,7 @@ std::vector<Input<PulseCase>> inputs_of(const PulseProblem& problem) {
     list.push_back({"p_low", p, stiffest, set_p});
     list.push_back({"p_high", stiffest, p, of_motions(in_problem(&PulseProblem::p_high))});
   } else {
-    const double softest = std::max(p / far_factor, shortest / fastest_pulse);
+    const double softest = std::max(p / far_factor, shortest / fastest_pulse * above_rounding);
     list.push_back({"p", p, std::max(p, std::min(p * far_factor, lambda * slowest_examined)), set_p,
                     softest, growth});
   }

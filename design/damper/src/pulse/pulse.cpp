@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <numbers>
 
 namespace stillpoint::design {
 
@@ -66,6 +67,16 @@ Pulse with(const Pulse& pulse, double k, double lambda) {
 
 std::string_view name(const Pulse& pulse) {
   return stillpoint::name(excitation(pulse));
+}
+
+Pulse pulse_of_hit(double v0, double p) {
+  constexpr double lambda_over_p = 1e10;
+  const double lambda = lambda_over_p * p;
+  return Rectangle{v0 * lambda / std::numbers::pi, lambda};
+}
+
+double hit_of(const Pulse& pulse) {
+  return peak_load(pulse) * std::numbers::pi / angular_frequency(pulse);
 }
 
 Excitation excitation(const Pulse& pulse) {

@@ -4,6 +4,7 @@
 #include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/forced_motion.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillpoint::design {
@@ -11,8 +12,8 @@ namespace stillpoint::design {
 namespace {
 
 /// By the forced run of core, without a slope.
-FirstReturn forced_return(const Pulse& unit, double f) {
-  const ForcedResponse motion = forced_response({1, f, unpassable}, {}, excitation(unit));
+FirstReturn forced_return(const Pulse& unit, double f, double zeta) {
+  const ForcedResponse motion = forced_response({1, f, unpassable, {}, zeta}, {}, excitation(unit));
   const double speed = motion.arrival_speed.value_or(0);
   const double rest = std::abs(motion.stop_position.value_or(0));
   FirstReturn found;
@@ -35,16 +36,30 @@ Pulse unit_pulse(const Pulse& pulse, double p) {
   return with(pulse, 1, angular_frequency(pulse) / p);
 }
 
-FirstReturn first_return(const Pulse& pulse, double p, double f) {
+void take_worse(FirstReturn& worst, const FirstReturn& other) {
+  worst.returns = worst.returns && other.returns;
+  for (const auto figure : bounded_figures) {
+    worst.*figure = std::max(worst.*figure, other.*figure);
+  }
+}
+
+FirstReturn first_return(const Pulse& pulse, double p, double f, const Interval& zeta) {
   cancellation_point();
   const Pulse unit = unit_pulse(pulse, p);
-  if (const auto closed = closed_return(unit, f)) {
-    return *closed;
+  if (zeta.high == 0) {
+    if (const auto closed = closed_return(unit, f)) {
+      return *closed;
+    }
   }
-  FirstReturn motion = forced_return(unit, f);
+  FirstReturn motion = forced_return(unit, f, zeta.low);
   constexpr double aside = 1e-6;  // half of the digits
   motion.need_slope =
-      (motion.exact_need - forced_return(unit, f * (1 - aside)).exact_need) / (f * aside);
+      (motion.exact_need - forced_return(unit, f * (1 - aside), zeta.low).exact_need) / (f * aside);
+  if (zeta.high > zeta.low) {
+    const FirstReturn slower = forced_return(unit, f, zeta.high);
+    take_worse(motion, slower);
+    motion.clearance = std::min(motion.clearance, slower.clearance);
+  }
   return motion;
 }
 

@@ -9,6 +9,13 @@
 
 namespace stillpoint::design {
 
+namespace {
+
+/// As of a task of cases: what takes the whole of a hit leaves no motion.
+constexpr double below_start = 1 - 1e-9;
+
+}  // namespace
+
 PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const PulseProblem& problem,
                          const Limits& limits)
     : profile_(std::move(profile)),
@@ -23,6 +30,11 @@ PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const Pulse
   std::ranges::transform(limited_figures, figures_max_.begin(), [&](const LimitKind* kind) {
     return limit_or_infinity(*kind, limits) / k_ * (1 - edge_rounding);
   });
+  if (problem.of_hit) {  // that hardly moves the mass
+    const double v0 = hit_of(
+        with(problem.pulse, problem.ranges.k_low.value_or(k_), angular_frequency(problem.pulse)));
+    delta_max_ = std::min(delta_max_, below_start * v0 * v0 / 2 / length_ / k_);
+  }
   find_islands();
 }
 

@@ -9,17 +9,6 @@
 
 namespace stillpoint::design {
 
-namespace {
-
-void take_worse(FirstReturn& worst, const FirstReturn& other) {
-  worst.returns = worst.returns && other.returns;
-  for (const auto figure : bounded_figures) {
-    worst.*figure = std::max(worst.*figure, other.*figure);
-  }
-}
-
-}  // namespace
-
 WorstReturn::WorstReturn(const PulseProblem& problem, bool k_varies, const Interval& window)
     : weakest_(problem.ranges.k_low.value_or(peak_load(problem.pulse)) / peak_load(problem.pulse)),
       legs_(std::make_shared<const Legs>(problem)),

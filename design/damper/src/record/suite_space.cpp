@@ -143,6 +143,14 @@ SuitePlace SuiteSpace::place(const SuiteDamper& damper) const {
   return logs;
 }
 
+SuiteDamper SuiteSpace::nearest(const SuiteDamper& damper) const {
+  SuiteDamper near = damper;
+  for (const SuiteAxis& axis : axes_) {
+    axis.set(near, std::clamp(axis.value(damper), axis.range().low, axis.range().high));
+  }
+  return near;
+}
+
 SuiteDamper SuiteSpace::off(const SuiteDamper& nominal, const SuitePlace& unit) const {
   SuiteDamper damper = nominal;
   for (std::size_t i = 0; i < axes_.size(); ++i) {

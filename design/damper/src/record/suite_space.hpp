@@ -68,6 +68,8 @@ class SuiteSpace {
 
   [[nodiscard]] SuiteDamper at(const SuitePlace& logs) const;
   [[nodiscard]] SuitePlace place(const SuiteDamper& damper) const;
+  /// The nearest that a design may be.
+  [[nodiscard]] SuiteDamper nearest(const SuiteDamper& damper) const;
   /// A damper of the box of `nominal`.
   [[nodiscard]] SuiteDamper off(const SuiteDamper& nominal, const SuitePlace& unit) const;
   /// Whether a design may be there.

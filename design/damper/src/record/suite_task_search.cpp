@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_task_search.hpp"
 
+#include "record/first_return_task.hpp"
 #include "record/suite_request.hpp"
 #include "record/suite_scan.hpp"
 #include "record/suite_tolerance.hpp"
@@ -17,6 +18,8 @@ namespace {
 
 /// A notch that gains less than this part is left out.
 constexpr double least_gain = 0.01;
+/// Part of a value by which what is known along f is moved: by rounding alone.
+constexpr double known_step = 1e-3;
 /// A limit that was relaxed is this much above the worst of the box that was found, so that a
 /// search with it finds one as well.
 constexpr double relaxed_by = 2e-3;
@@ -55,10 +58,19 @@ struct Mapped {
 class TaskSearch {
  public:
   TaskSearch(const Suites& suite, RecordDesign& result, SuiteWatch& watch)
-      : suite_(suite), result_(result), task_(result.request), watch_(watch) {}
+      : suite_(suite),
+        result_(result),
+        task_(result.request),
+        watch_(watch),
+        along_f_(FirstReturnTask::of(task_)),
+        known_(along_f_ ? along_f_->best() : std::nullopt) {}
 
   std::optional<ChosenBox> within_tolerance() {
     const SuiteGoal goal{minimised(task_).value, task_.objective_case, limits_of(task_)};
+    if (const auto known = best_along_f(goal)) {
+      trade_off();
+      return ChosenBox{*known, 1};
+    }
     std::optional<VerifiedBox> best;
     expect();
     for (const SuiteFrictions frictions : every_friction) {
@@ -95,8 +107,11 @@ class TaskSearch {
   }
 
   std::optional<ChosenBox> most_tolerant() {
-    expect();
-    const std::optional<LargestBox> best = largest(HUGE_VAL);
+    std::optional<LargestBox> best = largest_along_f();
+    if (!best && !is_hopeless_along_f()) {
+      expect();
+      best = largest(HUGE_VAL);
+    }
     constexpr double whole = 1 - 1e-9;
     if (!best && !task_.requires_tolerance) {
       return without_tolerance();
@@ -115,6 +130,45 @@ class TaskSearch {
   }
 
  private:
+  /// The best where it is known along f, unless its box fails.
+  std::optional<VerifiedBox> best_along_f(const SuiteGoal& goal) {
+    const SuiteSpace space(task_, SuiteFrictions::both);
+    if (!known_ || !space.possible()) {
+      return std::nullopt;
+    }
+    const SuiteDamper near = space.nearest(known_->damper);
+    if (near.f > known_->damper.f) {  // none at all may be better
+      return std::nullopt;
+    }
+    SuiteSearch search(suite_, task_, space, goal, watch_);
+    return search.verified({search.polished({near, {}, {}}, known_step)});
+  }
+
+  [[nodiscard]] bool is_hopeless_along_f() const { return along_f_ && !known_; }
+
+  std::optional<LargestBox> largest_along_f() {
+    auto best =
+        known_ ? largest_box_about(suite_, task_, *known_, most_scale(), watch_) : std::nullopt;
+    if (best) {
+      note(*best);
+    }
+    return best;
+  }
+
+  /// No part of a damper is off by more than `most_off` then.
+  [[nodiscard]] double most_scale() const {
+    const SuiteTolerance& of = task_.tolerance;
+    return most_off /
+           std::max({of.f.below, of.delta.below, of.width.below, of.period.below, of.f.above});
+  }
+
+  void note(const LargestBox& best) {
+    const SuiteTolerance& of = task_.tolerance;
+    watch_.verified({best.verified.box.damper, best.verified.box.worst});
+    result_.largest_tolerance =
+        best.scale * std::max({of.f.below, of.f.above, of.delta.below, of.delta.above});
+  }
+
   /// About what a map, candidates and verifications take.
   void expect() {
     constexpr std::int64_t about_a_line = 5'000;
@@ -145,11 +199,8 @@ class TaskSearch {
 
   /// On the maps that there are, or looked for by itself.
   std::optional<LargestBox> largest(double most) {
-    const SuiteTolerance& of = task_.tolerance;
-    const double below =
-        std::max({of.f.below, of.delta.below, of.width.below, of.period.below, of.f.above});
     std::optional<LargestBox> best;
-    if (below == 0) {
+    if (std::isinf(most_scale())) {
       return best;
     }
     for (const SuiteFrictions frictions : most_tolerant_first) {
@@ -159,16 +210,12 @@ class TaskSearch {
       const double bar =
           !best ? 0 : best->scale / (frictions == SuiteFrictions::constant ? 1 + least_gain : 1);
       const auto here = std::ranges::find(maps_, frictions, &Mapped::frictions);
-      auto now = largest_box(suite_, task_, frictions, {bar, std::min(most, most_off / below)},
+      auto now = largest_box(suite_, task_, frictions, {bar, std::min(most, most_scale())},
                              here == maps_.end() ? nullptr : &here->scan, watch_);
       if (now) {
         best = now;
-        watch_.verified({best->verified.box.damper, best->verified.box.worst});
+        note(*best);
       }
-    }
-    if (best) {
-      result_.largest_tolerance =
-          best->scale * std::max({of.f.below, of.f.above, of.delta.below, of.delta.above});
     }
     return best;
   }
@@ -186,7 +233,8 @@ class TaskSearch {
   /// tolerance in the result if there is none.
   std::optional<VerifiedBox> grown_to_tolerance(const SuiteGoal& goal) {
     const std::optional<LargestBox> found =
-        watch_.stopped() || is_hopeless(goal) ? std::nullopt : largest(HUGE_VAL);
+        watch_.stopped() || is_hopeless_along_f() || is_hopeless(goal) ? std::nullopt
+                                                                       : largest(HUGE_VAL);
     if (!found || found->scale < 1) {
       return std::nullopt;
     }
@@ -236,13 +284,24 @@ class TaskSearch {
           const CaseMotion& motion =
               of_case.motions()[of_case.worst_motion(nearest->of[c].at(k), kind)];
           constraint++->motion = {motion.name, motion.scale};
-          if (const auto enough = relaxed(c, kind)) {
+          if (const auto enough =
+                  along_f_ && moves_along_f(kind) ? std::nullopt : relaxed(c, kind)) {
             result_.mends.push_back({kind.field, *enough, true, task_.cases[c].name});
           }
         }
       }
     }
-    weaken();
+    if (along_f_) {
+      const std::vector<Mend> known = along_f_->mends();
+      result_.mends.insert(result_.mends.begin(), known.begin(), known.end());
+    } else {
+      weaken();
+    }
+  }
+
+  /// Whether what is known along f says how far that limit has to move.
+  [[nodiscard]] static bool moves_along_f(const SuiteFigureKind& kind) {
+    return kind.limit == &SuiteLimits::peak || kind.limit == &SuiteLimits::acceleration;
   }
 
   /// The largest part of the load of a single case with which there is a damper: the figures of any
@@ -433,7 +492,9 @@ class TaskSearch {
   RecordDesign& result_;
   const RecordDesignRequest& task_;
   SuiteWatch& watch_;
-  std::deque<Mapped> maps_;  // which refer to their own members
+  std::optional<FirstReturnTask> along_f_;  // where this task is one
+  std::optional<DamperAlongF> known_;       // its best
+  std::deque<Mapped> maps_;                 // which refer to their own members
 };
 
 }  // namespace

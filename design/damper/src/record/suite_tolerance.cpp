@@ -86,6 +86,22 @@ class Growth {
     return best_;
   }
 
+  /// Of about that size about that damper, with few digits; empty if it does not hold.
+  std::optional<LargestBox> about(double scale, const SuiteDamper& damper) {
+    for (const double by : {0.0, 1e-9, 1e-7, 1e-5}) {
+      const double now = std::min(scale, most_) * (1 - by);
+      const SuiteSpace boxes = space(now);
+      if (boxes.possible()) {
+        SuiteSearch search(suite_, task_, boxes, goal_, watch_);
+        if (holds(search, search.unbroken(boxes.nearest(damper)), now)) {
+          round();
+          return best_;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
   std::optional<LargestBox> run() {
     if (!exact_.possible()) {
       return std::nullopt;
@@ -185,14 +201,16 @@ class Growth {
       return;
     }
     const LargestBox largest = *best_;
+    const double least = task_.requires_tolerance ? std::min(1.0, largest.scale) : 0;
     for (const double part : parts_rounded) {
-      const SuiteSpace boxes = space(part * largest.scale);
+      const double scale = std::max(part * largest.scale, least);
+      const SuiteSpace boxes = space(scale);
       SuiteSearch search(suite_, task_, boxes, goal_, watch_);
       search.learn(breaking_);
       const BoxedDamper box = search.unbroken(largest.verified.box.damper);
       const BoxedDamper built = search.rounded(box, most_digits);
       const bool other = built.damper.f != box.damper.f || built.damper.delta != box.damper.delta;
-      if (other && holds(search, built, part * largest.scale)) {
+      if (other && holds(search, built, scale)) {
         return;
       }
     }
@@ -285,6 +303,13 @@ std::optional<LargestBox> largest_box(const Suites& suite, const RecordDesignReq
                                       const SuiteScan* scan, SuiteWatch& watch) {
   Growth growth(suite, task, frictions, scales, scan == nullptr, watch);
   return scan != nullptr ? growth.on(*scan) : growth.run();
+}
+
+std::optional<LargestBox> largest_box_about(const Suites& suite, const RecordDesignRequest& task,
+                                            const DamperAlongF& known, double most,
+                                            SuiteWatch& watch) {
+  Growth growth(suite, task, frictions_of(known.damper), {0, most}, true, watch);
+  return growth.about(known.scale, known.damper);
 }
 
 }  // namespace stillpoint::design

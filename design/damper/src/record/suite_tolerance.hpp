@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "record/first_return_task.hpp"
 #include "record/suite_scan.hpp"
 #include "record/suite_search.hpp"
 
@@ -21,5 +22,11 @@ struct LargestBox {
                                                     const RecordDesignRequest& task,
                                                     SuiteFrictions frictions, Interval scales,
                                                     const SuiteScan* scan, SuiteWatch& watch);
+
+/// That of a damper whose size is known, but for rounding, with few digits; empty if it fails.
+[[nodiscard]] std::optional<LargestBox> largest_box_about(const Suites& suite,
+                                                          const RecordDesignRequest& task,
+                                                          const DamperAlongF& known, double most,
+                                                          SuiteWatch& watch);
 
 }  // namespace stillpoint::design

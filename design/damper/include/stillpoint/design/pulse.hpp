@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/excitation.hpp>
+#include <stillpoint/core/interval.hpp>
 #include <stillpoint/core/names.hpp>
 #include <stillpoint/design/figures.hpp>
 #include <stillpoint/design/problem.hpp>
@@ -32,6 +33,11 @@ struct PulseProblem {
   Criterion criterion{Criterion::published};
   PulseRanges ranges{};
   std::optional<double> p_high{};  ///< as that of Problem
+  /// Of the spring's critical damping, the ends between which it may be: the least of it moves a
+  /// mass the farthest and the fastest.
+  Interval zeta{};
+  /// The pulse stands for a hit, pulse_of_hit(), against which the notch must not hold the mass.
+  bool of_hit{false};
 
   [[nodiscard]] bool has_ranges() const {
     return ranges.k_low.has_value() || ranges.lambda_high.has_value() || p_high.has_value();
@@ -54,6 +60,11 @@ inline constexpr double slowest_pulse = 100;
 /// No answer looks for a longer pulse than this p / lambda, unless it was given: when the mass
 /// swings many times before it returns, a region is too expensive to compute a hundred of them.
 inline constexpr double slowest_examined = 10;
+
+/// A pulse that is over in 3e-10 of a radian of the spring, with the same motion to that part; and
+/// the velocity that it leaves.
+[[nodiscard]] Pulse pulse_of_hit(double v0, double p);
+[[nodiscard]] double hit_of(const Pulse& pulse);
 
 /// Throws InputError, naming the field, unless k > 0, lambda / p is from 0.01 to 1e12, and the
 /// problem of the velocity k / lambda is valid (problem.hpp); at both ends of each range, the low

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "suites_of_records.hpp"
+
+BOOST_AUTO_TEST_SUITE(first_return_task_test)
+
+// One hit or pulse at whose first return the mass must stop, searched along f: without damping it
+// has the exact answers of a hit and of a pulse, with it what helps does and is the least.
+
+using namespace stillpoint::design_test;
+
+/// What is left beside a mend so that the task which it mends can be verified, relative, and as
+/// much again; and of a tolerance, by which the box of a damper steps back from its edges.
+constexpr double of_mend = 2e-3;
+constexpr double of_tolerance = 1e-4;
+
+/// The closed forms and their limits as a load case with damping.
+RecordDesignRequest as_case(const DesignRequest& exact, const Interval& zeta) {
+  const auto& [problem, limits, options, pulse, ranges] = exact;
+  RecordDesignRequest request = under_hit(zeta, problem.beta);
+  LoadCase& only = request.cases.front();
+  only.v0 = pulse ? std::nullopt : std::optional(problem.v0);
+  only.pulse = pulse;
+  only.weakest = problem.v0_low.value_or(problem.v0) / problem.v0;
+  only.limits.acceleration = limits.acceleration_max;
+  request.p = {problem.p, problem.p};
+  request.f_max = limits.f_max;
+  request.delta_max = limits.delta_max;
+  if (limits.tolerance > 0) {
+    const Spread both{limits.tolerance, limits.tolerance};
+    request.tolerance = {both, both, {}, {}};
+    request.requires_tolerance = true;
+  }
+  return request;
+}
+
+DesignRequest drawn(RandomSource& random) {
+  DesignRequest request;
+  Problem& problem = request.problem;
+  problem.v0 = random.log_uniform(0.3, 3);
+  problem.p = random.log_uniform(0.3, 3);
+  problem.criterion = Criterion::exact;
+  problem.beta = problem.v0 / problem.p * random.uniform(0.4, 0.95);
+  if (random.pick(2) == 0) {
+    const double lambda = problem.p * random.log_uniform(1, 10);
+    const double k = problem.v0 * lambda / 2;
+    request.pulse = random.pick(2) == 0 ? Pulse(HalfSine{k, lambda}) : Pulse(Rectangle{k, lambda});
+  } else {
+    random.one_in(3, problem.v0_low, [&] { return problem.v0 * random.uniform(0.8, 1); });
+  }
+  Limits& limits = request.limits;
+  limits.delta_max = problem.v0 * problem.v0 * random.uniform(0.05, 0.4);
+  random.one_in(2, limits.tolerance, [&] { return random.uniform(0.02, 0.3); });
+  return request;
+}
+
+double value_of(const std::vector<Mend>& mends, std::string_view field) {
+  const auto mend = std::ranges::find(mends, field, &Mend::field);
+  return mend == mends.end() ? 0 : mend->value;
+}
+
+BOOST_AUTO_TEST_CASE(without_damping_the_answers_are_the_exact_ones) {
+  RandomSource random(4210);
+  int found = 0;
+  int mended = 0;
+  for (int i = 0; i < 60; ++i) {
+    const DesignRequest request = drawn(random);
+    const DesignResult exact = design::design(request);
+    const RecordDesign now = design::design(as_case(request, {1e-9, 1e-9}));
+    BOOST_TEST_CONTEXT("task " << i << ", beta " << request.problem.beta) {
+      BOOST_TEST(exact.finding.has_value() == now.finding.has_value());
+      if (exact.finding && now.finding) {
+        ++found;
+        constexpr double most = 0.95;  // that a box of a case grows to
+        BOOST_TEST(std::abs(now.largest_tolerance.value() -
+                            std::min(exact.finding->point.tolerance, most)) <= of_tolerance);
+      }
+      for (const Mend& each : exact.mends) {
+        ++mended;
+        BOOST_TEST_CONTEXT(each.field) {
+          BOOST_TEST(std::abs(value_of(now.mends, each.field) / each.value - 1) <=
+                     (each.field == "tolerance" ? of_mend / each.value : of_mend));
+        }
+      }
+    }
+  }
+  BOOST_TEST(found > 10);
+  BOOST_TEST(mended > 40);
+}
+
+BOOST_AUTO_TEST_CASE(with_damping_what_helps_does_and_is_the_least) {
+  RandomSource random(4211);
+  int mended = 0;
+  for (int i = 0; i < 30; ++i) {
+    const double least = random.uniform(0.01, 0.2);
+    DesignRequest request = drawn(random);
+    const Interval zeta{least, request.pulse || i % 2 == 0 ? least : least + 0.05};
+    const std::vector<Mend> mends = design::design(as_case(request, zeta)).mends;
+    for (const auto& [field, input] :
+         {std::pair("beta", &request.problem.beta), {"p", &request.problem.p}}) {
+      const double value = value_of(mends, field);
+      const double given = *input;
+      const double short_of = value * (value > given ? 1 - 5 * of_mend : 1 + 5 * of_mend);
+      const bool is_far = (short_of > given) == (value > given);
+      for (const auto& [tried, helps] : {std::pair(value, true), {short_of, false}}) {
+        if (value > 0 && (helps || is_far)) {
+          *input = tried;
+          BOOST_TEST(design::design(as_case(request, zeta)).finding.has_value() == helps,
+                     "task " << i << ": " << field << " " << tried << " after " << given);
+          ++mended;
+        }
+      }
+      *input = given;
+    }
+  }
+  BOOST_TEST(mended > 20);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
