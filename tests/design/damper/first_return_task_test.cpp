@@ -8,9 +8,11 @@ BOOST_AUTO_TEST_SUITE(first_return_task_test)
 
 using namespace stillpoint::design_test;
 
-/// What is left beside a mend so that the task which it mends can be verified, relative, and as
-/// much again; and of a tolerance, by which the box of a damper steps back from its edges.
-constexpr double of_mend = 2e-3;
+/// Room that a mend leaves so that the task which it mends can be verified: of the tolerance, and
+/// as a part of a limit, which moves another input by more. And by which the box of a damper steps
+/// back from its edges, absolute.
+constexpr double to_find = 5e-4;
+constexpr double of_mend = 1e-2;
 constexpr double of_tolerance = 1e-4;
 
 /// The closed forms and their limits as a load case with damping.
@@ -62,8 +64,8 @@ BOOST_AUTO_TEST_CASE(without_damping_the_answers_are_the_exact_ones) {
   RandomSource random(4210);
   int found = 0;
   int mended = 0;
-  for (int i = 0; i < 60; ++i) {
-    const DesignRequest request = drawn(random);
+  for (int i = 0; i < 30; ++i) {
+    DesignRequest request = drawn(random);
     const DesignResult exact = design::design(request);
     const RecordDesign now = design::design(as_case(request, {1e-9, 1e-9}));
     BOOST_TEST_CONTEXT("task " << i << ", beta " << request.problem.beta) {
@@ -74,17 +76,19 @@ BOOST_AUTO_TEST_CASE(without_damping_the_answers_are_the_exact_ones) {
         BOOST_TEST(std::abs(now.largest_tolerance.value() -
                             std::min(exact.finding->point.tolerance, most)) <= of_tolerance);
       }
-      for (const Mend& each : exact.mends) {
+      request.limits.tolerance += exact.finding ? 0 : to_find;
+      const std::vector<Mend> mends = design::design(request).mends;
+      for (const Mend& each : mends) {
         ++mended;
         BOOST_TEST_CONTEXT(each.field) {
           BOOST_TEST(std::abs(value_of(now.mends, each.field) / each.value - 1) <=
-                     (each.field == "tolerance" ? of_mend / each.value : of_mend));
+                     (each.field == "tolerance" ? 4 * to_find / each.value : of_mend));
         }
       }
     }
   }
-  BOOST_TEST(found > 10);
-  BOOST_TEST(mended > 40);
+  BOOST_TEST(found > 5);
+  BOOST_TEST(mended > 20);
 }
 
 BOOST_AUTO_TEST_CASE(with_damping_what_helps_does_and_is_the_least) {
@@ -99,7 +103,7 @@ BOOST_AUTO_TEST_CASE(with_damping_what_helps_does_and_is_the_least) {
          {std::pair("beta", &request.problem.beta), {"p", &request.problem.p}}) {
       const double value = value_of(mends, field);
       const double given = *input;
-      const double short_of = value * (value > given ? 1 - 5 * of_mend : 1 + 5 * of_mend);
+      const double short_of = value * (value > given ? 1 - of_mend : 1 + of_mend);
       const bool is_far = (short_of > given) == (value > given);
       for (const auto& [tried, helps] : {std::pair(value, true), {short_of, false}}) {
         if (value > 0 && (helps || is_far)) {

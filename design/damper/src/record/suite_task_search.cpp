@@ -294,6 +294,10 @@ class TaskSearch {
     if (along_f_) {
       const std::vector<Mend> known = along_f_->mends();
       result_.mends.insert(result_.mends.begin(), known.begin(), known.end());
+      const auto tolerance = std::ranges::find(known, "tolerance", &Mend::field);
+      if (tolerance != known.end()) {
+        result_.largest_tolerance = tolerance->value;
+      }
     } else {
       weaken();
     }
