@@ -119,8 +119,9 @@ class CountLine {
 
 bool has_npts(std::string_view line) {
   std::string text = upper_case(line);
-  std::ranges::replace_if(
-      text, [](char c) { return !((c >= 'A' && c <= 'Z') || c == '_'); }, ' ');
+  for (char& c : text) {
+    c = (c >= 'A' && c <= 'Z') || c == '_' ? c : ' ';
+  }
   return std::ranges::count(words_of(text, " "), std::string_view("NPTS")) > 0;
 }
 
