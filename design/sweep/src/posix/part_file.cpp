@@ -143,7 +143,8 @@ void PartFile::resume() {
                          "file to start again",
                          differs));
     }
-    found_ = state_ = saved_.state = left->state;
+    state_ = saved_.state = left->state;
+    set_found(state_);
   }
   cut_back(left.has_value());
 }

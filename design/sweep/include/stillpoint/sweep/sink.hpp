@@ -43,8 +43,10 @@ class RowSink {
   virtual LeftRows leave() { return {}; }
 
  protected:
-  // What is found when the file is opened, in the body of a constructor.
-  // NOLINTNEXTLINE(cppcoreguidelines-non-private-member-variables-in-classes)
+  /// When the file is opened.
+  void set_found(const SweepState& found) { found_ = found; }
+
+ private:
   SweepState found_;
 };
 
