@@ -33,7 +33,7 @@ py::object trajectory(const std::shared_ptr<const answers::Answer>& answer) {
     columns.append(py::make_tuple(std::string(name), "f8"));
   }
   const py::dtype type = py::dtype::from_args(columns);
-  const py::array rows =
+  py::array rows =
       found.physical
           ? py::array(to_array(report::trajectory_rows(states, found.physical)).attr("view")(type))
           : py::array(type, static_cast<py::ssize_t>(states.size()), states.data(),
