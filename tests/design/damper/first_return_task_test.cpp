@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(without_damping_the_answers_are_the_exact_ones) {
   RandomSource random(4210);
   int found = 0;
   int mended = 0;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 16; ++i) {
     DesignRequest request = drawn(random);
     const DesignResult exact = design::design(request);
     const RecordDesign now = design::design(as_case(request, {1e-9, 1e-9}));
@@ -87,14 +87,14 @@ BOOST_AUTO_TEST_CASE(without_damping_the_answers_are_the_exact_ones) {
       }
     }
   }
-  BOOST_TEST(found > 5);
-  BOOST_TEST(mended > 20);
+  BOOST_TEST(found > 3);
+  BOOST_TEST(mended > 12);
 }
 
 BOOST_AUTO_TEST_CASE(with_damping_what_helps_does_and_is_the_least) {
   RandomSource random(4211);
   int mended = 0;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 16; ++i) {
     const double least = random.uniform(0.01, 0.2);
     DesignRequest request = drawn(random);
     const Interval zeta{least, request.pulse || i % 2 == 0 ? least : least + 0.05};
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(with_damping_what_helps_does_and_is_the_least) {
       *input = given;
     }
   }
-  BOOST_TEST(mended > 20);
+  BOOST_TEST(mended > 12);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
