@@ -12,7 +12,6 @@
 #include <stillpoint/texts/embedded.hpp>
 
 #include <cassert>
-
 #include <list>
 
 namespace stillpoint::cli {

@@ -9,13 +9,6 @@
 
 namespace stillpoint::design {
 
-namespace {
-
-/// As of a task of cases: what takes the whole of a hit leaves no motion.
-constexpr double below_start = 1 - 1e-9;
-
-}  // namespace
-
 PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const PulseProblem& problem,
                          const Limits& limits)
     : profile_(std::move(profile)),
@@ -31,8 +24,7 @@ PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const Pulse
     return limit_or_infinity(*kind, limits) / k_ * (1 - edge_rounding);
   });
   if (problem.of_hit) {  // that hardly moves the mass
-    const double v0 = hit_of(
-        with(problem.pulse, problem.ranges.k_low.value_or(k_), angular_frequency(problem.pulse)));
+    const double v0 = profile_->weakest() * hit_of(problem.pulse);
     delta_max_ = std::min(delta_max_, below_start * v0 * v0 / 2 / length_ / k_);
   }
   find_islands();

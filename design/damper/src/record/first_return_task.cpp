@@ -70,23 +70,23 @@ std::optional<FirstReturnTask> FirstReturnTask::of(const RecordDesignRequest& ta
   if (task.spring.above + task.spring.below > 0) {
     problem.p_high = known.p_ / (1 - task.spring.below);
   }
-  const auto& [f, delta, width, period] = task.tolerance;
-  known.whole_ = std::max({f.below, f.above, delta.below, delta.above});
   Limits& limits = known.limits_;
   limits.f_max = task.f_max;
   limits.delta_max = task.delta_max;
   limits.acceleration_max = only.limits.acceleration;
-  if (known.whole_ > 0) {
-    limits.shape = {f.below / known.whole_, f.above / known.whole_, delta.below / known.whole_,
-                    delta.above / known.whole_};
+  const auto& [f, delta, width, period] = task.tolerance;
+  if (f.below + f.above + delta.below + delta.above > 0) {
+    shape_box(limits, f, delta);
   }
+  known.whole_ = limits.tolerance;
   if (!known.problem_.of_hit && !task.delta_max) {  // what a design itself may have
     limits.delta_max = task.delta->high;
     limits.shape.delta_high = 0;
     known.bounds_delta_itself_ = true;
   }
-  const bool required = task.objective != SuiteObjective::robust || task.requires_tolerance;
-  limits.tolerance = required ? known.whole_ : 0;
+  if (task.objective == SuiteObjective::robust && !task.requires_tolerance) {
+    limits.tolerance = 0;
+  }
   return known;
 }
 

@@ -52,10 +52,9 @@ constexpr double latest_rest = 20;
 /// A notch without a width takes the whole of a hit, and friction holds the mass under a pulse that
 /// must bring it back.
 void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
-  constexpr double below = 1 - 1e-9;
   const auto bound = [&](std::optional<double>& most, double value, const char* field,
                          const std::optional<Interval>& searched) {
-    most = std::min(most.value_or(HUGE_VAL), below * value);
+    most = std::min(most.value_or(HUGE_VAL), below_start * value);
     if (searched && searched->low > *most && !request.judges) {
       throw InputError(field, searched->low,
                        fmt::format("must be less than {} so that the {} {} moves the mass", value,

@@ -65,6 +65,8 @@ inline constexpr double slowest_examined = 10;
 /// the velocity that it leaves.
 [[nodiscard]] Pulse pulse_of_hit(double v0, double p);
 [[nodiscard]] double hit_of(const Pulse& pulse);
+/// Of what would hold the mass against a load: a friction that is searched stays below this part.
+inline constexpr double below_start = 1 - 1e-9;
 
 /// Throws InputError, naming the field, unless k > 0, lambda / p is from 0.01 to 1e12, and the
 /// problem of the velocity k / lambda is valid (problem.hpp); at both ends of each range, the low
