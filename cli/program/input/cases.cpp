@@ -42,31 +42,6 @@ bool is_load(const Option& option) {
   return option.names_records() || (option.traits.rivals == Rivals::hit && option.is_of_case());
 }
 
-/// Of a velocity, a pulse and records one, with the options that shape it and no others.
-void require_one_load(const Settings& settings) {
-  const Option* const load = settings.first(is_load);
-  if (load == nullptr) {
-    throw UsageError("has no load: give a velocity, a pulse or a record");
-  }
-  const Option* const other = settings.first([&](const Option& option) {
-    const bool records = option.names_records() && load->names_records();  // a list and files
-    return is_load(option) && &option != load && !records;
-  });
-  if (other != nullptr) {
-    throw UsageError(
-        fmt::format("{} and {} cannot be combined: give one of them", load->name, other->name));
-  }
-  const Option* const stray = settings.first([&](const Option& option) {
-    return (option.traits.load == Load::record && !load->names_records()) ||
-           (option.shapes(Load::pulse) && load->name != "pulse") ||
-           (option.name == "arrivals" && load->names_records()) ||
-           (option.name == "combine" && !load->names_records());
-  });
-  if (stray != nullptr) {
-    throw UsageError(fmt::format("{} means nothing with {}", stray->name, load->name));
-  }
-}
-
 /// The case takes what is common to all but what it has in other words, or of another load.
 Settings completed(Settings own, const Settings& common) {
   Settings rest = common;
@@ -174,6 +149,30 @@ std::vector<GivenCase> cases_of(const Settings& settings) {
                      })});
   }
   return cases;
+}
+
+void require_one_load(const Settings& settings) {
+  const Option* const load = settings.first(is_load);
+  if (load == nullptr) {
+    throw UsageError("no load: give a velocity, a pulse or a record");
+  }
+  const Option* const other = settings.first([&](const Option& option) {
+    const bool records = option.names_records() && load->names_records();  // a list and files
+    return is_load(option) && &option != load && !records;
+  });
+  if (other != nullptr) {
+    throw UsageError(
+        fmt::format("{} and {} cannot be combined: give one of them", load->name, other->name));
+  }
+  const Option* const stray = settings.first([&](const Option& option) {
+    return (option.traits.load == Load::record && !load->names_records()) ||
+           (option.shapes(Load::pulse) && load->name != "pulse" && !settings.has("excitation")) ||
+           (option.name == "arrivals" && load->names_records()) ||
+           (option.name == "combine" && !load->names_records());
+  });
+  if (stray != nullptr) {
+    throw UsageError(fmt::format("{} means nothing with {}", stray->name, load->name));
+  }
 }
 
 design::LoadCase load_case(const GivenCase& given, const MotionInput& start, bool one_period) {

@@ -20,6 +20,10 @@ struct GivenCase {
 /// Those of --cases; without it the only one, which has no name. Throws InputError and UsageError.
 [[nodiscard]] std::vector<GivenCase> cases_of(const Settings& settings);
 
+/// Throws UsageError unless there is a velocity, a pulse or records, one of them, with the options
+/// that shape it and no others; those of the excitation of a scene are for a motion.
+void require_one_load(const Settings& settings);
+
 /// In the units of `start`. Without `one_period` records are not scaled to their spectrum at the
 /// period of `start`. Throws InputError, UsageError and FileError.
 [[nodiscard]] design::LoadCase load_case(const GivenCase& given, const MotionInput& start,

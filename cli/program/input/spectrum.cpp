@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "input/record.hpp"
+#include "input/cases.hpp"
 #include "input/request.hpp"
 
 namespace stillpoint::cli {
@@ -34,7 +34,7 @@ report::SpectrumReport spectrum_input(const Settings& given) {
   static_cast<void>(is_physical(settings, Command::spectrum));
   const std::vector<double> list = periods(settings);
   design::PhysicalIsolator isolator;
-  isolator.period_s = list.back();
+  isolator.period_s = std::ranges::max(list);
   isolator.mass_kg = settings.number("mass");
   isolator.gravity_m_per_s2 = settings.number("gravity").value_or(isolator.gravity_m_per_s2);
   isolator.inches = settings.in_inches();
@@ -45,13 +45,15 @@ report::SpectrumReport spectrum_input(const Settings& given) {
     request.p.push_back(scales.p_of(period));
   }
   request.damper = oscillator_input(settings, {.physical = report.physical});
-  request.combine = settings.named<design::Combine>("combine");
   request.notch_width = notch_width(settings, report.physical);
   request.threads = threads(settings);
-  if (!asks_for_records(settings)) {
-    throw InputError::missing("record", "give --record FILE or --records-list FILE");
+  require_one_load(settings);
+  if (settings.known("pulse") && with_unit(settings, "lambda") == nullptr) {
+    throw InputError::missing("pulse-duration",
+                              "give --pulse-duration in s or --excitation-frequency in Hz: lambda "
+                              "is relative to one natural frequency");
   }
-  request.records = read_suite(settings, record_clock(report.physical, scales.p), std::nullopt);
+  request.load = load_case({"", settings}, {.p = scales.p, .physical = report.physical}, false);
   return report;
 }
 

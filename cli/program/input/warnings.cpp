@@ -10,7 +10,7 @@ namespace {
 /// Of a single motion in metres; empty without a load.
 std::optional<design::LoadReach> load_of(const Settings& settings, Command command) {
   const bool pulsed =
-      settings.has("pulse") && find_option("pulse")->serves(command) && command != Command::sweep;
+      settings.has("pulse") && (command == Command::design || command == Command::region);
   const bool shaken = excitation_type(settings).has_value() &&
                       (command == Command::simulate || command == Command::accuracy);
   if ((!pulsed && !shaken) || !is_physical(settings, command) || settings.has("search-period")) {

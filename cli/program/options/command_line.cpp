@@ -30,7 +30,7 @@ const std::array command_helps{
     command_row(Command::design, "find the damper for a hit, a pulse or a suite of records"),
     command_row(Command::region, "find the admissible f and delta, or judge a given damper"),
     command_row(Command::simulate, "compute one motion, free or under a load"),
-    command_row(Command::spectrum, "compute one damper under records for many periods"),
+    command_row(Command::spectrum, "compute one damper under a load for many periods"),
     command_row(Command::sweep, "compute many motions or designs, from a grid or a list"),
     command_row(Command::accuracy,
                 "compare methods on one motion: time, and error against 50 digits"),

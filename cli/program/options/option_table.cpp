@@ -36,6 +36,8 @@ constexpr CommandSet of_designs = design | region | sweep;
 constexpr CommandSet of_excitations = motions | sweep;
 /// Commands that take a load with a wave, or a pulse.
 constexpr CommandSet of_waves = design | region | of_excitations;
+/// Commands that take a wave in Hz or seconds.
+constexpr CommandSet of_timed_waves = of_waves | spectrum;
 /// Commands that take acceleration records.
 constexpr CommandSet in_records = of_suites | of_excitations;
 constexpr CommandSet drawn = design | region | simulate | spectrum | sweep;
@@ -89,14 +91,14 @@ constexpr auto rows = std::to_array<Option>(
     {row("v0", number, "V", every, swept, Units::dimensionless, Rivals::hit, RangeEnd::high),
      row("p", number, "P", every, swept, Units::dimensionless, Rivals::stiffness, RangeEnd::low),
      row("beta", number, "B", of_designs, swept, Units::dimensionless, Rivals::stroke, limits_case),
-     row("pulse", text, "TYPE", of_designs, Rivals::hit,
+     row("pulse", text, "TYPE", of_designs | spectrum, Rivals::hit,
          Values{[] { return design::excitation_names(true); }},
          Excludes{sweep, "residual residual-m", "in a sweep a design for a pulse stops at x = 0"},
          Instead{"a motion takes --excitation"}),
      row("x0", number, "X", motions | sweep, swept, Units::dimensionless, Rivals::start),
 
-     row("velocity", number, "M/S", in_metres, swept, Rivals::hit, InSi{Dimension::velocity},
-         RangeEnd::high, Also{"pgv speed"}),
+     row("velocity", number, "M/S", in_metres | spectrum, swept, Rivals::hit,
+         InSi{Dimension::velocity}, RangeEnd::high, Also{"pgv speed"}),
      row("max-displacement", number, "M", of_designs, swept, Rivals::stroke,
          InSi{Dimension::length}, Also{"stroke displacement"}, limits_case),
      row("period", number, "S", in_metres | spectrum, Swept{sweep | spectrum}, Rivals::stiffness,
@@ -179,11 +181,12 @@ constexpr auto rows = std::to_array<Option>(
 
      row("excitation", text, "TYPE", of_excitations,
          Values{[] { return design::excitation_names(); }}, InScene::group,
-         Instead{"a design takes --pulse"}),
-     row("k", number, "K", of_waves, Load::wave, swept, Dimension::gravities, RangeEnd::high),
-     row("excitation-frequency", number, "HZ", of_waves, Load::wave, swept, Rivals::frequency,
+         Instead{
+             "a design or a spectrum takes --pulse, which ends, so that the mass comes to rest"}),
+     row("k", number, "K", of_timed_waves, Load::wave, swept, Dimension::gravities, RangeEnd::high),
+     row("excitation-frequency", number, "HZ", of_timed_waves, Load::wave, swept, Rivals::frequency,
          InSi{Dimension::frequency}, RangeEnd::low),
-     row("pulse-duration", number, "S", of_waves, Load::pulse, swept, Rivals::frequency,
+     row("pulse-duration", number, "S", of_timed_waves, Load::pulse, swept, Rivals::frequency,
          InSi{Dimension::time}, RangeEnd::high),
      row("lambda", number, "L", of_waves, Load::wave, swept, Rivals::frequency, RangeEnd::low),
      row("phase", number, "PHI", of_excitations, Load::harmonic,

@@ -34,9 +34,10 @@ void drop_excitation(const Settings& flags, Settings& scene) {
   scene.drop("pulse");
 }
 
-/// A design is for a hit or under records. A flag for one sets aside the other in the scene; if a
-/// scene has both, for several commands, a design takes the hit, unless they are of several cases.
-void keep_one_design(const Settings& flags, Settings& settings) {
+/// A design or a spectrum is for a hit or under records. A flag for one sets aside the other in the
+/// scene; if a scene has both, for several commands, the hit counts, unless they are of several
+/// cases.
+void keep_one_load(const Settings& flags, Settings& settings) {
   const bool for_a_hit = flags.given(Rivals::hit) != nullptr ||
                          (settings.given(Rivals::hit) != nullptr && !asks_for_records(flags));
   if ((!for_a_hit && !asks_for_records(settings)) || settings.has("cases")) {
@@ -92,8 +93,8 @@ Settings scene_and_flags(Command command, const Settings& flags, Settings& scene
   }
   Settings settings = flags;
   settings.complete_with(scene);
-  if (command == Command::design || command == Command::region) {
-    keep_one_design(flags, settings);
+  if (command == Command::design || command == Command::region || command == Command::spectrum) {
+    keep_one_load(flags, settings);
   }
   if (command == Command::region) {
     drop_built_notch(flags, settings);

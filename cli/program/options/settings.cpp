@@ -210,10 +210,12 @@ InputError Settings::as_given(const InputError& error) const {
   }
   for (const Option* option : physical_rivals(*plain)) {
     const Axis* const axis = find<Axis>(option->name);
-    if (has(option->name) && (axis == nullptr || axis->is_number())) {
+    if (has(option->name)) {
       return {std::string(option->name),
-              fmt::format("{} {}", *number(option->name),
-                          records::units_of(option->traits.dimension).front().name),
+              axis != nullptr && !axis->is_number()
+                  ? axis->text()
+                  : fmt::format("{} {}", *number(option->name),
+                                records::units_of(option->traits.dimension).front().name),
               fmt::format("makes {}", error.what())};
     }
   }

@@ -30,10 +30,9 @@ std::string figures_words(const design::SuiteFigures& figures, const Physical& p
 /// "Largest of 3 cases"
 std::string whose_words(const std::vector<design::LoadCase>& cases) {
   const design::LoadCase& first = cases.front();
-  return cases.size() > 1     ? format("Largest of {} cases", cases.size())
-         : first.of_records() ? design::suite_words(*first.combine, first.records.size())
-                              : format("Under the {}{}", first.v0 ? "hit" : "pulse",
-                                       first.weakest < 1 ? "s of the range" : "");
+  return cases.size() > 1
+             ? format("Largest of {} cases", cases.size())
+             : design::suite_words(first) + (first.weakest < 1 ? "s of the range" : "");
 }
 
 /// ", worst within a tolerance of 10 %" of the dampers of a box, ", at worst" of ranges alone;

@@ -14,11 +14,6 @@ namespace {
 using design::Figures;
 using design::SpectrumPoint;
 
-/// "Largest of 2 records"
-std::string whose(const SpectrumReport& report) {
-  return design::suite_words(*report.result.request.combine, report.result.records.size());
-}
-
 /// The largest of two figures of friction alone, and the periods at which they occur.
 std::string friction_words(const SpectrumReport& report) {
   const auto largest = [&](double Figures::*figure, Dimension dimension) {
@@ -27,9 +22,24 @@ std::string friction_words(const SpectrumReport& report) {
     return format("{} at {}", figure_shown(report.physical, dimension, of(most)),
                   period_words(report.physical, most.p));
   };
-  return format("{}: friction alone transmits at most {}; its largest peak is {}.", whose(report),
+  return format("{}: friction alone transmits at most {}; its largest peak is {}.",
+                design::suite_words(report.result.request.load),
                 largest(&Figures::acceleration, Dimension::gravities),
                 largest(&Figures::peak, Dimension::length));
+}
+
+/// "0.4 m/s", "half-sine, peak 5 g, 0.011 s long"; of a record its units as well.
+std::string load_words(const design::LoadCase& load, const design::CaseMotion& motion,
+                       std::size_t place, const Physical& physical) {
+  if (load.v0) {
+    return figure_shown(physical, Dimension::velocity, *load.v0);
+  }
+  const double peak = design::peak_load(motion.load);
+  const std::string loaded =
+      load.pulse ? format("{}, peak {}", motion.name, acceleration_shown(peak))
+                 : record_words(motion.name, motion.scale, name(load.records[place].units),
+                                load.records[place].assumed_g, peak);
+  return format("{}, {} long", loaded, time_shown(physical, *duration(motion.load)));
 }
 
 /// At even steps; more do not fit a screen, and a file has them all. In the units of the figures.
@@ -79,23 +89,20 @@ Document document(const SpectrumReport& report) {
                                              {task.notch_width, damper.hold}, 6) +
                                     ", the same at every period");
   add_damping(document.answer, damper);
-  std::string label = "record";
-  for (const design::SuiteRecord& record : task.records) {
+  const std::vector<design::CaseMotion> motions = design::motions_of(task.load);
+  std::string label = task.load.v0 ? "hit" : task.load.pulse ? "pulse" : "record";
+  for (std::size_t i = 0; i < motions.size(); ++i) {
     document.answer.row(std::exchange(label, ""),
-                        format("{}, {} long",
-                               record_words(record.name, record.scale, name(record.units),
-                                            record.assumed_g, design::peak_load(record)),
-                               time_shown(report.physical, *duration(design::scaled(record)))));
+                        load_words(task.load, motions[i], i, report.physical));
   }
   add_findings(document, result.findings, report.physical);
-  const std::size_t count = result.records.size();
-  add_points(document.section(whose(report) + (damper.delta > 0
-                                                   ? ", with the notch and with friction alone"
-                                                   : ", friction alone")),
-             report, result.combined);
-  for (std::size_t i = 0; i < count && count > 1; ++i) {
-    Section& record = document.detail(scaled_name(task.records[i].name, task.records[i].scale));
-    add_points(record, report, result.records[i]);
+  const std::string_view which =
+      damper.delta > 0 ? ", with the notch and with friction alone" : ", friction alone";
+  add_points(document.section(design::suite_words(task.load) + std::string(which)), report,
+             result.combined);
+  for (std::size_t i = 0; i < motions.size() && motions.size() > 1; ++i) {
+    add_points(document.detail(scaled_name(motions[i].name, motions[i].scale)), report,
+               result.motions[i]);
   }
   return document;
 }

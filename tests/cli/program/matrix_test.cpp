@@ -27,10 +27,12 @@ struct Matrix : Sandbox {
 
   /// What asks for a load, without what the option itself gives.
   static Arguments load(std::size_t column, const std::string& option) {
-    const bool given = option.starts_with("--period") || option.starts_with("--search-period");
+    const bool given = contains(option, "-period ") && !contains(option, "--tolerance");
     const std::string period = given ? "" : " --period 2.8";
     const std::string stroke =
-        option.starts_with("--max-displacement") ? "" : " --max-displacement 100mm";
+        option.starts_with("--max-displacement") || option.starts_with("spectrum")
+            ? ""
+            : " --max-displacement 100mm";
     const std::string text =
         column == 1 ? (option.starts_with("--velocity") ? "" : "--velocity 0.2") + stroke
         : column == 2
@@ -54,13 +56,15 @@ BOOST_FIXTURE_TEST_CASE(each_cell_is_as_it_says, Matrix) {
     }
     ++rows;
     const std::string option = cells[0].substr(1, cells[0].size() - 2);
-    const bool region = option.starts_with("region");
+    const std::size_t own =
+        option.starts_with("--") ? 0 : std::min(option.find(' '), option.size());
+    const std::string command = own == 0 ? "design" : option.substr(0, own);
+    const bool searches = command == "design";
     for (std::size_t column = 1; column < cells.size(); ++column) {
       BOOST_TEST_CONTEXT(option << ", column " << column) {
-        Arguments all{region ? "region" : "design"};
+        Arguments all{command};
         std::ranges::move(load(column, option), std::back_inserter(all));
-        std::ranges::move(Arguments((region ? option.substr(6) : option).c_str()),
-                          std::back_inserter(all));
+        std::ranges::move(Arguments(option.substr(own).c_str()), std::back_inserter(all));
         if (column == 4) {
           all.insert(all.end(), {"--cases", read("cases.json")});
           // What a case of its own would have instead.
@@ -78,10 +82,10 @@ BOOST_FIXTURE_TEST_CASE(each_cell_is_as_it_says, Matrix) {
         } else if (contains(option, "width-m") && cells[column] == "case") {
           all.insert(all.end(), {"--residual-m", "20mm"});
         }
-        if (!region && (column > 2 || cells[column] == "case")) {
+        if (searches && (column > 2 || cells[column] == "case")) {
           all.insert(all.end(), {"--scan-points", "300"});
         }
-        if (!region && cells[column] == "case" && !contains(option, "--objective")) {
+        if (searches && cells[column] == "case" && !contains(option, "--objective")) {
           all.insert(all.end(), {"--objective", "amplitude"});  // robust takes longer
         }
         all.emplace_back("--json");
@@ -93,7 +97,7 @@ BOOST_FIXTURE_TEST_CASE(each_cell_is_as_it_says, Matrix) {
           continue;
         }
         BOOST_TEST((answer.exit_code == 0 || answer.exit_code == 3), answer.err);
-        if (!region && option != "--catalogue parts.csv") {
+        if (searches && option != "--catalogue parts.csv") {
           const bool searched = cells[column] == "case" || column > 2;
           BOOST_TEST((answer.json()["search"]["algorithm"] == "boxes") == searched);
         }

@@ -23,8 +23,8 @@ BOOST_FIXTURE_TEST_CASE(the_table_has_the_numbers_of_the_report, Recorded) {
   BOOST_TEST_REQUIRE(npy.count == 10);
   for (std::size_t i = 0; i < csv.rows.size(); ++i) {
     const std::size_t record = i / 5;
-    const json& point = report["records"][record]["points"][i % 5];
-    BOOST_TEST(csv.number(i, "record") == static_cast<double>(record + 1));
+    const json& point = report["motions"][record]["points"][i % 5];
+    BOOST_TEST(csv.number(i, "motion") == static_cast<double>(record + 1));
     for (const char* const name :
          {"period_s", "peak_m", "residual_m", "peak_absolute_acceleration", "jump_m_per_s"}) {
       BOOST_TEST(csv.number(i, name) == point[name].get<double>());

@@ -48,7 +48,7 @@ def test_several_records_may_be_arrays_and_files():
     strong = arrays(STRONG)
     found = stillpoint.spectrum(record=[arrays(PULSE), STRONG, np.array(strong)], **options)
     wanted = stillpoint.spectrum(record=[PULSE, STRONG, STRONG], **options)
-    assert [record.file for record in found.records] == ["record 1", str(STRONG), "record 2"]
+    assert [motion.what for motion in found.motions] == ["record 1", str(STRONG), "record 2"]
     assert found.report["combined"] == wanted.report["combined"]
     scene = {"record": [arrays(PULSE), str(STRONG), (list(strong[0]), list(strong[1]))], **options}
     assert stillpoint.spectrum(scene).report["combined"] == wanted.report["combined"]
@@ -85,7 +85,7 @@ def test_wrong_arrays_are_refused(record, said):
 def test_a_file_of_the_name_of_an_array_is_another_record(program):
     (program.folder / "record 1").mkdir()
     found = stillpoint.spectrum(record=arrays(PULSE), period="2:3:3", f=0.05, delta_m=0.01)
-    assert found.records[0].file == "record 1'"
+    assert found.motions[0].what == "record 1'"
 
 
 @pytest.mark.parametrize("kind", [os.fsencode, Path, str])

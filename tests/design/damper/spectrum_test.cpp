@@ -21,7 +21,7 @@ SuiteRecord shaking() {
 
 SpectrumRequest request_of(std::vector<SuiteRecord> records, double f, double delta) {
   SpectrumRequest request;
-  request.records = std::move(records);
+  request.load.records = std::move(records);
   request.p = {0.4, 1, 1.5};
   request.damper.f = f;
   request.damper.delta = delta;
@@ -42,10 +42,10 @@ BOOST_AUTO_TEST_CASE(a_friction_that_takes_too_long_has_the_peak_but_no_residual
       // Up to the peak friction takes at most 2 f/p^2 of each of two half-cycles, and the notch, of
       // one passage, Delta of v^2/2 = (p x)^2/2: Delta/(p^2 x) of x.
       const double p = found.request.p[i];
-      const double peak = none.records[0][i].with_notch.peak;
-      BOOST_TEST(std::abs(found.records[0][i].with_notch.peak - peak) <=
+      const double peak = none.motions[0][i].with_notch.peak;
+      BOOST_TEST(std::abs(found.motions[0][i].with_notch.peak - peak) <=
                  (4e-9 + 1e-9 / peak) / (p * p));
-      BOOST_TEST(!found.records[0][i].with_notch.residual.has_value());
+      BOOST_TEST(!found.motions[0][i].with_notch.residual.has_value());
     }
   }
 }
@@ -61,8 +61,8 @@ BOOST_AUTO_TEST_CASE(each_point_is_a_motion_of_the_kernel) {
     if (!request.damper.hold) {
       random.one_in(2, request.notch_width, [&] { return random.uniform(0.01, 0.1); });
     }
-    const Record load = scaled(request.records[0]);
-    const SpectrumPoint point = spectrum(request).records[0][0];
+    const Record load = scaled(request.load.records[0]);
+    const SpectrumPoint point = spectrum(request).motions[0][0];
     const auto figures = [&](const Oscillator& oscillator, const Surface& surface) {
       const ForcedResponse motion = forced_response(oscillator, {}, load, {}, surface);
       return Figures{motion.peak_amplitude, motion.peak_absolute_acceleration, motion.jump,
@@ -80,18 +80,18 @@ BOOST_AUTO_TEST_CASE(each_point_is_a_motion_of_the_kernel) {
 BOOST_AUTO_TEST_CASE(the_largest_and_the_mean_of_records) {
   SpectrumRequest request = request_of({rectangle(), rectangle(-3)}, 0, 0);
   const Spectrum largest = spectrum(request);
-  BOOST_TEST((largest.request.combine == Combine::max));
-  request.combine = Combine::mean;
+  BOOST_TEST((largest.request.load.combine == Combine::max));
+  request.load.combine = Combine::mean;
   const Spectrum mean = spectrum(request);
   for (std::size_t i = 0; i < request.p.size(); ++i) {
-    const double one = largest.records[0][i].without.peak;
+    const double one = largest.motions[0][i].without.peak;
     BOOST_TEST(std::abs(largest.combined[i].without.peak - 3 * one) <= closed_form_tolerance * one);
     BOOST_TEST(std::abs(mean.combined[i].without.peak - 2 * one) <= closed_form_tolerance * one);
     BOOST_TEST(!mean.combined[i].without.residual.has_value());
   }
-  request.combine.reset();
-  request.records.resize(7, request.records.front());
-  BOOST_TEST((spectrum(request).request.combine == Combine::mean));
+  request.load.combine.reset();
+  request.load.records.resize(7, request.load.records.front());
+  BOOST_TEST((spectrum(request).request.load.combine == Combine::mean));
 }
 
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing) {
     const Spectrum other = spectrum(request);
     for (std::size_t i = 0; i < request.p.size(); ++i) {
       BOOST_TEST(same(one.combined[i].with_notch, other.combined[i].with_notch));
-      BOOST_TEST(same(one.records[1][i].without, other.records[1][i].without));
+      BOOST_TEST(same(one.motions[1][i].without, other.motions[1][i].without));
     }
   }
 }
@@ -121,8 +121,8 @@ BOOST_AUTO_TEST_CASE(returning_false_ends_it) {
     return ++asked <= 5;
   });
   BOOST_TEST(asked == 6);
-  BOOST_TEST(stopped.records[0][4].with_notch.peak > 0);
-  BOOST_TEST(stopped.records[0][5].with_notch.peak == 0);
+  BOOST_TEST(stopped.motions[0][4].with_notch.peak > 0);
+  BOOST_TEST(stopped.motions[0][5].with_notch.peak == 0);
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
@@ -132,8 +132,8 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
     spoil(request);
     test::check_refused(field, [&] { return spectrum(request); });
   };
-  refused("records", [](auto& request) { request.records.clear(); });
-  refused("scale", [](auto& request) { request.records[0].scale = 0; });
+  refused("records", [](auto& request) { request.load.records.clear(); });
+  refused("scale", [](auto& request) { request.load.records[0].scale = 0; });
   refused("p", [](auto& request) { request.p.clear(); });
   refused("p", [](auto& request) { request.p[1] = 0; });
   refused("f", [](auto& request) { request.damper.f = -1; });

@@ -53,20 +53,20 @@ FigurePoint highest(const FigureCurve& curve, double first = 0, double last = HU
 /// The line of each record, faint behind those of all together; so few periods that a line between
 /// them would look like more as points too.
 void add_curves(Figure& figure, const DrawnSpectrum& drawn, const Kind& kind) {
-  const auto& [request, records, combined, findings] = drawn.spectrum;
+  const auto& [request, motions, combined, findings] = drawn.spectrum;
   const double unit = drawn.units.of(kind.dimension).factor;
   const auto strokes = [&](const std::vector<SpectrumPoint>& points, auto which) {
     auto point = points.begin();
     return line_over(drawn.periods, unit, [&](double) { return kind.drawn((*point++).*which); });
   };
-  const bool several = records.size() > 1;
-  const std::string which = !several                                   ? ""
-                            : *request.combine == design::Combine::max ? "largest, "
-                                                                       : "mean, ";
+  const bool several = motions.size() > 1;
+  const std::string which = !several                                       ? ""
+                            : request.load.combine == design::Combine::max ? "largest, "
+                                                                           : "mean, ";
   if (several) {
     Strokes each;
-    for (const auto& record : records) {
-      std::ranges::move(strokes(record, &SpectrumPoint::with_notch), std::back_inserter(each));
+    for (const auto& motion : motions) {
+      std::ranges::move(strokes(motion, &SpectrumPoint::with_notch), std::back_inserter(each));
     }
     figure.add_line("each record", std::move(each), Ink::grey);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "json/asked_fields.hpp"
 #include "json/head_fields.hpp"
 
 #include <stillpoint/core/response_fields.hpp>
@@ -51,7 +52,7 @@ inline constexpr auto fields<design::SpectrumRequest> = [] {
                  Field{"hold", of_damper(&Oscillator::hold),
                        "null with the paper's notch, like notch_width_m"},
                  Field{"notch_width_m", &Now::notch_width, "", si_always(Dimension::length)},
-                 Field{"combine", [](const Now& now) { return now.combine.value(); }},
+                 Field{"combine", [](const Now& now) { return now.load.combine.value(); }},
                  Field{"gravity_m_per_s2", [](const Now& /*now*/) { return 1.0; }, "",
                        si_always(Dimension::gravities)}},
       fields_in(&Now::damper, beyond_the_paper));
@@ -67,24 +68,38 @@ using nlohmann::ordered_json;
 
 constexpr auto spectrum_name = std::to_array<std::string_view>({"stillpoint/spectrum-report/1"});
 
-struct ShownRecord : design::SuiteRecord {
+struct ShownCurve : design::CaseMotion {
+  std::optional<double> v0;
+  const design::SuiteRecord* record;
   std::vector<design::SpectrumPoint> points;
 
-  using Now = ShownRecord;
+  using Now = ShownCurve;
+  using Record = design::SuiteRecord;
   static constexpr std::tuple field_table{
-      Field{"file", &Now::name, "", any_number},
-      Field{"scale", &Now::scale, "", any_number},
-      Field{"units", &Now::units, "of the values in the file"},
-      Field{"units_assumed", &Now::assumed_g, "whether neither the file nor an option gives them"},
-      Field{"pga", [](const auto& now) { return design::peak_load(now); },
+      Field{"what", &Now::name, "hit, the shape of the pulse, or the file of the record",
+            any_number},
+      Field{"velocity_m_per_s", &Now::v0, "of a hit", si_always(Dimension::velocity)},
+      Field{"k", in(&Now::pulse, k_of), "of a pulse in g, like the next"},
+      Field{"duration_s",
+            in(&Now::pulse,
+               [](const design::Pulse& pulse) { return *duration(design::excitation(pulse)); }),
+            "", si_always(Dimension::time)},
+      Field{"scale", in(&Now::record, &Record::scale), "of a record, like the next", any_number},
+      Field{"units", in(&Now::record, &Record::units), "of the values in the file"},
+      Field{"units_assumed", in(&Now::record, &Record::assumed_g),
+            "whether neither the file nor an option gives them"},
+      Field{"pga", in(&Now::record, [](const Record& of) { return design::peak_load(of); }),
             "the largest |W| in g, scaled"},
       Field{"points", &Now::points, "", at_least_one}};
 };
 
-std::vector<ShownRecord> records_of(const SpectrumReport& report) {
-  std::vector<ShownRecord> shown;
-  for (std::size_t i = 0; i < report.result.records.size(); ++i) {
-    shown.push_back({report.result.request.records[i], report.result.records[i]});
+std::vector<ShownCurve> motions_of(const SpectrumReport& report) {
+  const design::LoadCase& load = report.result.request.load;
+  std::vector<ShownCurve> shown;
+  for (design::CaseMotion& motion : design::motions_of(load)) {
+    const std::size_t i = shown.size();
+    shown.push_back({std::move(motion), load.v0, load.of_records() ? &load.records[i] : nullptr,
+                     report.result.motions[i]});
   }
   return shown;
 }
@@ -96,16 +111,16 @@ constexpr auto spectrum_table = [] {
                         std::tuple{Field{"input", in(&Now::result, &Spectrum::request)},
                                    Field{"combined", in(&Now::result, &Spectrum::combined),
                                          "an entry for each period", at_least_one},
-                                   Field{"records", &records_of, "", at_least_one}});
+                                   Field{"motions", &motions_of, "", at_least_one}});
 }();
 
-/// The number of the record and the columns of a point: those of a motion within have its name
+/// The number of the motion and the columns of a point: those of a motion within have its name
 /// behind theirs.
 std::vector<ordered_json> rows_of(const SpectrumReport& report) {
   std::vector<ordered_json> rows;
-  for (std::size_t i = 0; i < report.result.records.size(); ++i) {
-    for (const design::SpectrumPoint& point : report.result.records[i]) {
-      ordered_json row{{"record", i + 1}};
+  for (std::size_t i = 0; i < report.result.motions.size(); ++i) {
+    for (const design::SpectrumPoint& point : report.result.motions[i]) {
+      ordered_json row{{"motion", i + 1}};
       row.update(object_json(point, &report.physical.scales));
       const ordered_json without = row.at("without_notch");
       row.erase("without_notch");

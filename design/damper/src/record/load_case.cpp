@@ -25,10 +25,13 @@ double peak_load(const std::vector<SuiteRecord>& records) {
   return most;
 }
 
-std::string suite_words(Combine combine, std::size_t count) {
-  return count == 1
-             ? "Under the record"
-             : fmt::format("{} of {} records", combine == Combine::max ? "Largest" : "Mean", count);
+std::string suite_words(const LoadCase& load_case) {
+  const std::size_t count = load_case.records.size();
+  return count > 1 ? fmt::format("{} of {} records",
+                                 load_case.combine == Combine::max ? "Largest" : "Mean", count)
+                   : fmt::format("Under the {}", load_case.v0      ? "hit"
+                                                 : load_case.pulse ? "pulse"
+                                                                   : "record");
 }
 
 Record scaled(const SuiteRecord& record) {
@@ -91,23 +94,23 @@ SimulationRequest motion_of(const RecordDesignRequest& request, const SuiteDampe
   return simulation;
 }
 
-void require_valid(const std::vector<SuiteRecord>& records) {
-  if (records.empty()) {
+void require_valid(const LoadCase& load_case) {
+  if (load_case.v0) {
+    require_within("v0", *load_case.v0, smallest_speed, largest_speed);
+    return;
+  }
+  if (load_case.pulse) {
+    require_within("k", peak_load(*load_case.pulse), smallest_speed, largest_speed);
+    require_valid(excitation(*load_case.pulse));
+    return;
+  }
+  if (load_case.records.empty()) {
     throw InputError::missing("records", "give at least one");
   }
-  for (const SuiteRecord& record : records) {
+  for (const SuiteRecord& record : load_case.records) {
     require_within("scale", std::abs(record.scale), smallest_speed, largest_speed);
     require_valid(Excitation(record.record));
   }
-}
-
-std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records) {
-  std::vector<Excitation> loads;
-  loads.reserve(records.size());
-  for (const SuiteRecord& record : records) {
-    loads.emplace_back(scaled(record));
-  }
-  return loads;
 }
 
 double load_part(double load, double own_weakest, double weakest) {

@@ -22,19 +22,19 @@ namespace {
 
 /// One with very many half-cycles is followed only to its peak, which comes at most half a period
 /// after the load: friction only takes energy from then on.
-Figures figures(const Oscillator& oscillator, const Excitation& load, const Surface& surface) {
+Figures figures(const Oscillator& oscillator, const CaseMotion& of, const Surface& surface) {
   try {
     const ForcedResponse motion = forced_response(
-        oscillator, {}, load, {.half_cycle_limit = most_suite_half_cycles}, surface);
+        oscillator, of.start, of.load, {.half_cycle_limit = most_suite_half_cycles}, surface);
     Figures all = figures_of(motion);
     if (all.residual && !rests_in_time(motion.half_cycles.value())) {
       all.residual.reset();
     }
     return all;
   } catch (const TooManyHalfCycles&) {
-    const double t_end = duration(load).value() + 2 * std::numbers::pi / oscillator.p;
+    const double t_end = duration(of.load).value() + 2 * std::numbers::pi / oscillator.p;
     const Figures all =
-        figures_of(forced_response(oscillator, {}, load, {.t_end = t_end}, surface));
+        figures_of(forced_response(oscillator, of.start, of.load, {.t_end = t_end}, surface));
     return {all.peak, all.acceleration, all.jump};
   }
 }
@@ -52,25 +52,34 @@ Oscillator without_notch(Oscillator oscillator) {
 }
 
 void require_valid(const SpectrumRequest& request) {
-  design::require_valid(request.records);
+  design::require_valid(request.load);
   if (request.p.empty()) {
     throw InputError::missing("p", "give at least one");
   }
   for (const double p : request.p) {
     require_valid(with_p(request, p));
+    if (const auto& pulse = request.load.pulse) {
+      const double most = most_suite_half_cycles * angular_frequency(*pulse);
+      if (p > most) {
+        throw InputError("p", p,
+                         fmt::format("must be at most {:.6g}: under so long a pulse the mass "
+                                     "swings more than 10 000 times",
+                                     most));
+      }
+    }
     require_valid(with_p(request, p), Surface{request.notch_width, {}});
   }
 }
 
-Figures combined(const std::vector<std::vector<SpectrumPoint>>& records, std::size_t place,
+Figures combined(const std::vector<std::vector<SpectrumPoint>>& motions, std::size_t place,
                  Figures SpectrumPoint::*which, Combine combine) {
   Figures all{0, 0, 0, 0};
-  const auto count = static_cast<double>(records.size());
+  const auto count = static_cast<double>(motions.size());
   const auto add = [&](double& figure, double value) {
     figure = combine == Combine::max ? std::max(figure, value) : figure + value / count;
   };
-  for (const std::vector<SpectrumPoint>& record : records) {
-    const Figures& one = record[place].*which;
+  for (const std::vector<SpectrumPoint>& motion : motions) {
+    const Figures& one = motion[place].*which;
     add(all.peak, one.peak);
     add(all.acceleration, one.acceleration);
     add(all.jump, one.jump);
@@ -105,7 +114,7 @@ void add_lock(std::vector<Finding>& all, const Spectrum& spectrum) {
   }
   Finding& lock = all.emplace_back(FindingKind::locks)
                       .add("largest_load_while_locked", most, records::Dimension::gravities)
-                      .count("of_records", spectrum.records.size())
+                      .count("of_records", spectrum.motions.size())
                       .count("periods", count)
                       .count("of_periods", spectrum.combined.size());
   const SpectrumRequest& task = spectrum.request;
@@ -117,6 +126,12 @@ void add_lock(std::vector<Finding>& all, const Spectrum& spectrum) {
 std::vector<Finding> findings_of(const Spectrum& spectrum) {
   std::vector<Finding> all;
   add_lock(all, spectrum);
+  const SpectrumRequest& task = spectrum.request;
+  if (task.load.v0 && !task.notch_width && holds_at_start(task.damper.delta, *task.load.v0)) {
+    all.emplace_back(FindingKind::catches_hit)
+        .add("caught_impulse", task.load.v0, records::Dimension::velocity)
+        .add("least_velocity", std::sqrt(2 * task.damper.delta), records::Dimension::velocity);
+  }
   const auto jump = [](const SpectrumPoint& point) { return point.with_notch.jump; };
   const auto most = std::ranges::max_element(spectrum.combined, {}, jump);
   if (jump(*most) > 0) {
@@ -138,12 +153,13 @@ std::size_t Spectrum::resting(Figures SpectrumPoint::*member) const {
 Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(double)>& go_on) {
   require_valid(request);
   Spectrum result{request, {}, {}, {}};
-  const Combine combine = request.combine.value_or(default_combine(request.records.size()));
-  result.request.combine = combine;
-  const std::vector<Excitation> loads = scaled_loads(request.records);
+  const Combine combine =
+      request.load.combine.value_or(default_combine(request.load.records.size()));
+  result.request.load.combine = combine;
+  const std::vector<CaseMotion> motions = motions_of(request.load);
   const std::size_t points = request.p.size();
-  result.records.assign(loads.size(), std::vector<SpectrumPoint>(points));
-  const std::size_t entries = loads.size() * points;
+  result.motions.assign(motions.size(), std::vector<SpectrumPoint>(points));
+  const std::size_t entries = motions.size() * points;
   std::mutex one_at_a_time;
   std::size_t done = 0;
   const auto goes_on = [&] {
@@ -156,11 +172,11 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
   for_each_entry(static_cast<std::ptrdiff_t>(entries), request.threads, goes_on,
                  [&](std::ptrdiff_t entry) {
                    const auto index = static_cast<std::size_t>(entry);
-                   const Excitation& load = loads[index / points];
+                   const CaseMotion& motion = motions[index / points];
                    const Oscillator oscillator = with_p(request, request.p[index % points]);
-                   SpectrumPoint& point = result.records[index / points][index % points];
-                   point.with_notch = figures(oscillator, load, Surface{request.notch_width, {}});
-                   point.without = figures(without_notch(oscillator), load, {});
+                   SpectrumPoint& point = result.motions[index / points][index % points];
+                   point.with_notch = figures(oscillator, motion, Surface{request.notch_width, {}});
+                   point.without = figures(without_notch(oscillator), motion, {});
                    point.p = oscillator.p;
                  });
   result.combined.resize(points);
@@ -168,7 +184,7 @@ Spectrum spectrum(const SpectrumRequest& request, const std::function<bool(doubl
     SpectrumPoint& point = result.combined[i];
     point.p = request.p[i];
     for (const auto member : {&SpectrumPoint::with_notch, &SpectrumPoint::without}) {
-      point.*member = combined(result.records, i, member, combine);
+      point.*member = combined(result.motions, i, member, combine);
     }
   }
   result.findings = findings_of(result);
@@ -204,7 +220,7 @@ std::string summary(const Spectrum& spectrum) {
           : "transmitted acceleration between the velocity jumps at the notch",
       [](const Figures& one) { return one.acceleration; });
   add(", and", "peak", [](const Figures& one) { return one.peak; });
-  return suite_words(*spectrum.request.combine, spectrum.records.size()) + text + ".";
+  return suite_words(spectrum.request.load) + text + ".";
 }
 
 }  // namespace stillpoint::design

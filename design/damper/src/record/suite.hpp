@@ -28,11 +28,8 @@ inline constexpr double most_suite_half_cycles = 10'000;
   return records < 7 ? Combine::max : Combine::mean;
 }
 
-/// Throws InputError if there is no record or a wrong one.
-void require_valid(const std::vector<SuiteRecord>& records);
-
-/// Of valid records.
-[[nodiscard]] std::vector<Excitation> scaled_loads(const std::vector<SuiteRecord>& records);
+/// The load itself. Throws InputError for a wrong one, or if there is no record.
+void require_valid(const LoadCase& load_case);
 
 /// The part of the load of a case whose least is `own_weakest`, where `load` is that of a task
 /// whose least is `weakest`.

@@ -158,14 +158,7 @@ void require_growth(const RecordDesignRequest& request) {
 constexpr double most_damped_return = 0.9;
 
 void require_valid(const LoadCase& load_case, const RecordDesignRequest& request) {
-  if (load_case.v0) {
-    require_within("v0", *load_case.v0, smallest_speed, largest_speed);
-  } else if (load_case.pulse) {
-    require_within("k", peak_load(*load_case.pulse), smallest_speed, largest_speed);
-    require_valid(excitation(*load_case.pulse));
-  } else {
-    design::require_valid(load_case.records);
-  }
+  design::require_valid(load_case);
   if (load_case.weakest != 0 || load_case.of_records()) {
     require_within("weakest", load_case.weakest, load_case.of_records() ? 1 : least_weakest, 1);
   }

@@ -151,9 +151,7 @@ Spectrum spectrum_about(const RecordDesign& result, std::size_t in_case) {
   constexpr double longest = 2;
   const RecordDesignRequest& task = result.request;
   const SuiteDamper& damper = result.finding->point.damper;
-  const LoadCase& load_case = task.cases[in_case];
-  SpectrumRequest request{load_case.records, {}, oscillator_of(task, damper),
-                          load_case.combine, {}, task.threads};
+  SpectrumRequest request{task.cases[in_case], {}, oscillator_of(task, damper), {}, task.threads};
   if (damper.delta > 0) {
     request.notch_width = damper.notch_width();
   }

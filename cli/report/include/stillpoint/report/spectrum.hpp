@@ -24,7 +24,7 @@ struct SpectrumReport {
 [[nodiscard]] nlohmann::ordered_json json(const SpectrumReport& report);
 [[nodiscard]] std::vector<figures::Figure> drawings(const SpectrumReport& report);
 
-/// A row for each record and period, as CSV or in NumPy's format. A value that does not exist is
+/// A row for each motion and period, as CSV or in NumPy's format. A value that does not exist is
 /// left out in the one and NaN in the other.
 [[nodiscard]] std::string spectrum_rows(const SpectrumReport& report, bool npy);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// What one damper does under records when the period changes: docs/records-design.md section 5.
+// What one damper does under a load when the period changes: docs/records-design.md section 5.
 
 #include <stillpoint/core/oscillator.hpp>
 #include <stillpoint/design/figures.hpp>
@@ -17,15 +17,14 @@
 namespace stillpoint::design {
 
 struct SpectrumRequest {
-  std::vector<SuiteRecord> records;
+  LoadCase load;          ///< without its limits and its weaker ones
   std::vector<double> p;  ///< of each point, in place of the p of:
   Oscillator damper{};
-  std::optional<Combine> combine{};     ///< as in a RecordDesignRequest
   std::optional<double> notch_width{};  ///< not beside a finite hold
   Threads threads{};
 };
 
-/// Those of one motion from rest at x = 0, or combined for the motions under all records: of what
+/// Those of one motion from x = 0, or combined for the motions under all records: of what
 /// locks the earliest and the largest. Not at rest within 10 000 half-cycles counts as never.
 struct SpectrumPoint {
   Figures with_notch;
@@ -35,8 +34,8 @@ struct SpectrumPoint {
 
 /// A point for each p of the request.
 struct Spectrum {
-  SpectrumRequest request;  ///< with the combination that was chosen
-  std::vector<std::vector<SpectrumPoint>> records;
+  SpectrumRequest request;                          ///< with the combination that was chosen
+  std::vector<std::vector<SpectrumPoint>> motions;  ///< of each of the load, as motions_of
   std::vector<SpectrumPoint> combined;
   std::vector<Finding> findings;
 

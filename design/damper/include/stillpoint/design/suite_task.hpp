@@ -41,9 +41,6 @@ using records::SuiteRecord;
 [[nodiscard]] double peak_load(const SuiteRecord& record);  ///< the largest |W|
 [[nodiscard]] double peak_load(const std::vector<SuiteRecord>& records);
 
-/// "Largest of 2 records", "Under the record".
-[[nodiscard]] std::string suite_words(Combine combine, std::size_t count);
-
 /// On the combined figures of a case; empty: no limit.
 struct SuiteLimits {
   std::optional<double> peak{};          ///< > 0
@@ -81,6 +78,9 @@ struct CaseMotion {
   std::optional<Pulse> pulse{};
   Excitation load{};
 };
+
+/// "Largest of 2 records", "Under the record"; of a case with its combination.
+[[nodiscard]] std::string suite_words(const LoadCase& load_case);
 
 /// Each record, or the hit or the pulse.
 [[nodiscard]] std::vector<CaseMotion> motions_of(const LoadCase& load_case);
