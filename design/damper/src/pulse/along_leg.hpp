@@ -19,7 +19,7 @@ struct Leg {
   double p{1};
   bool softens{false};
   std::vector<double> stops;  ///< the s to look at
-  Interval zeta{};
+  double zeta{0};
 
   [[nodiscard]] Pulse pulse_at(double s) const {
     return softens ? first : with(first, 1, angular_frequency(first) * s);

@@ -48,10 +48,8 @@ inline constexpr double unpassable = 1e250;
 /// The pulse in units of k and p.
 [[nodiscard]] Pulse unit_pulse(const Pulse& pulse, double p);
 
-/// One run of the pulse with that f, in units of k and p; the pulse is in its own units. The worse
-/// of both ends of the damping.
-[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f,
-                                       const Interval& zeta = {});
+/// One run of the pulse with that f, in units of k and p; the pulse is in its own units.
+[[nodiscard]] FirstReturn first_return(const Pulse& pulse, double p, double f, double zeta = 0);
 
 /// The same without a search for events, docs/theory.md section 16, of the pulse in units of k and
 /// p with friction f < 1; empty for a kind without a closed form, and for a full sine that is very

@@ -17,7 +17,7 @@ double length(const Pulse& pulse) {
 }
 
 /// In steps of lambda/p by a tenth, and of the pulse's length by a third of a radian of the spring.
-Leg leg_of(const Pulse& pulse, double p, bool softens, double ratio, const Interval& zeta) {
+Leg leg_of(const Pulse& pulse, double p, bool softens, double ratio, double zeta) {
   constexpr double part = 0.1;
   constexpr double turn = 0.3;
   const double turned = length(pulse) * p * (1 - 1 / ratio);

@@ -37,7 +37,7 @@ class Legs {
  private:
   Criterion criterion_;
   Pulse softest_;  ///< and longest, on the softest spring
-  Interval zeta_;
+  double zeta_;
   std::vector<Leg> legs_;
 };
 

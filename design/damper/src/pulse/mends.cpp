@@ -52,8 +52,8 @@ double cost_of(const PulseProblem& problem) {
   constexpr double without_form = 250;
   const double lambda = angular_frequency(problem.pulse);
   const double p = problem.p_high.value_or(problem.p);
-  const bool closed = problem.zeta.high == 0 &&
-                      closed_return(unit_pulse(problem.pulse, problem.p), 0.5).has_value();
+  const bool closed =
+      problem.zeta == 0 && closed_return(unit_pulse(problem.pulse, problem.p), 0.5).has_value();
   return closed ? 1 + p / lambda : without_form;
 }
 
@@ -168,7 +168,7 @@ std::vector<Input<PulseCase>> inputs_of(const PulseProblem& problem) {
     };
     list.push_back({"lambda_low", lambda, shortest, of_motions(set_lambda)});
     list.push_back({"lambda_high", shortest, lambda, of_motions(set_high)});
-  } else if (!problem.of_hit) {
+  } else {
     const double longest = std::max(lambda / far_factor, stiffest / slowest_examined);
     list.push_back({"lambda", lambda, std::min(lambda * far_factor, p * fastest_pulse),
                     of_motions(set_lambda), std::min(lambda, longest), growth});

@@ -69,16 +69,6 @@ std::string_view name(const Pulse& pulse) {
   return stillpoint::name(excitation(pulse));
 }
 
-Pulse pulse_of_hit(double v0, double p) {
-  constexpr double lambda_over_p = 1e10;
-  const double lambda = lambda_over_p * p;
-  return Rectangle{v0 * lambda / std::numbers::pi, lambda};
-}
-
-double hit_of(const Pulse& pulse) {
-  return peak_load(pulse) * std::numbers::pi / angular_frequency(pulse);
-}
-
 Excitation excitation(const Pulse& pulse) {
   return std::visit([](const auto& kind) { return Excitation(kind); }, pulse);
 }

@@ -43,23 +43,18 @@ void take_worse(FirstReturn& worst, const FirstReturn& other) {
   }
 }
 
-FirstReturn first_return(const Pulse& pulse, double p, double f, const Interval& zeta) {
+FirstReturn first_return(const Pulse& pulse, double p, double f, double zeta) {
   cancellation_point();
   const Pulse unit = unit_pulse(pulse, p);
-  if (zeta.high == 0) {
+  if (zeta == 0) {
     if (const auto closed = closed_return(unit, f)) {
       return *closed;
     }
   }
-  FirstReturn motion = forced_return(unit, f, zeta.low);
+  FirstReturn motion = forced_return(unit, f, zeta);
   constexpr double aside = 1e-6;  // half of the digits
   motion.need_slope =
-      (motion.exact_need - forced_return(unit, f * (1 - aside), zeta.low).exact_need) / (f * aside);
-  if (zeta.high > zeta.low) {
-    const FirstReturn slower = forced_return(unit, f, zeta.high);
-    take_worse(motion, slower);
-    motion.clearance = std::min(motion.clearance, slower.clearance);
-  }
+      (motion.exact_need - forced_return(unit, f * (1 - aside), zeta).exact_need) / (f * aside);
   return motion;
 }
 

@@ -23,10 +23,6 @@ PulseRegion::PulseRegion(std::shared_ptr<const WorstReturn> profile, const Pulse
   std::ranges::transform(limited_figures, figures_max_.begin(), [&](const LimitKind* kind) {
     return limit_or_infinity(*kind, limits) / k_ * (1 - edge_rounding);
   });
-  if (problem.of_hit) {  // that hardly moves the mass
-    const double v0 = profile_->weakest() * hit_of(problem.pulse);
-    delta_max_ = std::min(delta_max_, below_start * v0 * v0 / 2 / length_ / k_);
-  }
   find_islands();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "record/suite_task_search.hpp"
 
-#include "record/first_return_task.hpp"
 #include "record/suite_request.hpp"
 #include "record/suite_scan.hpp"
 #include "record/suite_tolerance.hpp"
+#include "record/task_along_f.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ class TaskSearch {
         result_(result),
         task_(result.request),
         watch_(watch),
-        along_f_(FirstReturnTask::of(task_)),
+        along_f_(TaskAlongF::of(task_)),
         known_(along_f_ ? along_f_->best() : std::nullopt) {}
 
   std::optional<ChosenBox> within_tolerance() {
@@ -285,14 +285,16 @@ class TaskSearch {
               of_case.motions()[of_case.worst_motion(nearest->of[c].at(k), kind)];
           constraint++->motion = {motion.name, motion.scale};
           if (const auto enough =
-                  along_f_ && moves_along_f(kind) ? std::nullopt : relaxed(c, kind)) {
+                  along_f_ && along_f_->moves(kind) ? std::nullopt : relaxed(c, kind)) {
             result_.mends.push_back({kind.field, *enough, true, task_.cases[c].name});
           }
         }
       }
     }
     if (along_f_) {
-      const std::vector<Mend> known = along_f_->mends();
+      constexpr double to_find = 5e-4;
+      constexpr double more_to_find = 5e-3;  // than of one that was not verified
+      const std::vector<Mend> known = along_f_->mends(known_ ? more_to_find : to_find);
       result_.mends.insert(result_.mends.begin(), known.begin(), known.end());
       const auto tolerance = std::ranges::find(known, "tolerance", &Mend::field);
       if (tolerance != known.end()) {
@@ -301,11 +303,6 @@ class TaskSearch {
     } else {
       weaken();
     }
-  }
-
-  /// Whether what is known along f says how far that limit has to move.
-  [[nodiscard]] static bool moves_along_f(const SuiteFigureKind& kind) {
-    return kind.limit == &SuiteLimits::peak || kind.limit == &SuiteLimits::acceleration;
   }
 
   /// The largest part of the load of a single case with which there is a damper: the figures of any
@@ -496,9 +493,9 @@ class TaskSearch {
   RecordDesign& result_;
   const RecordDesignRequest& task_;
   SuiteWatch& watch_;
-  std::optional<FirstReturnTask> along_f_;  // where this task is one
-  std::optional<DamperAlongF> known_;       // its best
-  std::deque<Mapped> maps_;                 // which refer to their own members
+  std::optional<TaskAlongF> along_f_;  // where this task is one
+  std::optional<DamperAlongF> known_;  // its best
+  std::deque<Mapped> maps_;            // which refer to their own members
 };
 
 }  // namespace

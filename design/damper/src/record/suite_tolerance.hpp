@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "record/first_return_task.hpp"
 #include "record/suite_scan.hpp"
 #include "record/suite_search.hpp"
+#include "record/task_along_f.hpp"
 
 #include <optional>
 

@@ -3,6 +3,8 @@
 
 #include "region/limit_table.hpp"
 #include "unit_problem.hpp"
+#include "way/room.hpp"
+#include "way/unit_strip.hpp"
 #include "wide.hpp"
 
 #include <stillpoint/core/oscillator.hpp>
@@ -22,6 +24,28 @@ double largest_returning_f(double v0, double p) {
     return rounded_down(f);
   }
   return spare_of_return(v0, p, nearest) < 0 ? std::nextafter(nearest, 0.0) : nearest;
+}
+
+/// With the least damping, where the undamped f2 is above 0.
+double damped_f2(const Problem& problem, double undamped) {
+  const double unit = problem.p * problem.v0;
+  const double b = problem.beta * problem.p / problem.v0;
+  const auto lacking = [&](double a) {
+    return 1 - unit::followed_back({b + a, 1, a, 1, problem.zeta.low}, 0, 0).square;
+  };
+  const double at_0 = lacking(0);
+  const double at_most = lacking(undamped / unit);
+  return at_0 <= 0     ? 0
+         : at_most < 0 ? falling_root(lacking, 0, undamped / unit, at_0, at_most) * unit
+                       : undamped;
+}
+
+/// With the most damping.
+double damped_f3(const Problem& problem) {
+  const double zeta = problem.zeta.high;
+  const double turn = 2 + unit::shrinks_by(zeta);
+  return problem.starting_v0() * problem.p /
+         std::sqrt(unit::followed_back({turn, 0, 1, 0, zeta}, 0, 0).square);
 }
 
 }  // namespace
@@ -44,6 +68,10 @@ Edges edges(const Problem& problem, const Limits& limits) {
           ? 0
           : rounded_up(less_product(v0, beta, p).times(unit) * (v0 + speed) / (2 * beta * unit));
   result.f3 = largest_returning_f(problem.starting_v0(), p);
+  if (problem.zeta.high > 0) {
+    result.f3 = damped_f3(problem);
+    result.f2 = result.f2 > 0 ? damped_f2(problem, result.f2) : result.f2;
+  }
   result.f_max = least_limit(Bounded::f, limits);
   result.f4 = figures_edge(problem, limits);
   result.f_cap = std::min({result.f3, result.f_max, result.f4});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "region/limit_table.hpp"
 
+#include "way/room.hpp"
+#include "way/unit_strip.hpp"
 #include "wide.hpp"
 
 #include <stillpoint/core/input_error.hpp>
@@ -11,7 +13,28 @@
 
 namespace stillpoint::design {
 
+namespace {
+
+/// Over V0 p: over the damping it first falls and then grows, so one of the ends feels the most.
+double felt(const Interval& zeta, double a) {
+  return std::max(unit::damped_acceleration(zeta.low, a), unit::damped_acceleration(zeta.high, a));
+}
+
+/// Of a limit of the acceleration, with damping.
+double damped_edge(const Problem& problem, double limit) {
+  const double unit = problem.v0 * problem.stiffest_p();
+  const auto spare = [&](double a) { return limit / unit - felt(problem.zeta, a); };
+  const double without = spare(0);
+  return without > 0 ? falling_root(spare, 0, limit / unit, without, spare(limit / unit)) * unit
+                     : without * unit;
+}
+
+}  // namespace
+
 double acceleration_edge(const Problem& problem, double limit) {
+  if (problem.zeta.high > 0) {
+    return damped_edge(problem, limit);
+  }
   const Wide most = limit;
   const Wide p_v0 = Wide(problem.v0) * problem.stiffest_p();
   if (is_same(p_v0, most)) {
@@ -24,7 +47,7 @@ double acceleration_edge(const Problem& problem, double limit) {
 }
 
 double least_acceleration(const Problem& problem) {
-  return problem.stiffest_p() * problem.v0;
+  return problem.stiffest_p() * problem.v0 * (problem.zeta.high > 0 ? felt(problem.zeta, 0) : 1);
 }
 
 double roomiest_p(const Problem& problem, const Limits& limits, double limit) {
@@ -88,7 +111,7 @@ void require_valid(const Problem& problem, const Limits& limits) {
 
 bool is_plain(const Problem& problem, const Limits& limits) {
   return problem.v0_low.value_or(problem.v0) == problem.v0 && problem.stiffest_p() == problem.p &&
-         !problem.residual && limits.shape == BoxShape{};
+         !problem.residual && problem.zeta.high == 0 && limits.shape == BoxShape{};
 }
 
 }  // namespace stillpoint::design

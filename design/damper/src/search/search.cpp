@@ -29,7 +29,9 @@ double bound_of(const Way& way, Objective objective) {
   const double t = way.limits.tolerance;
   const auto& [f_low, f_high, delta_low, delta_high] = way.limits.shape;
   if (objective == Objective::robust) {  // (51), which a range only makes smaller
-    return way.q == 0 && way.limits.shape == BoxShape{} ? -1.0 / (2 * way.n - 1) : -1;
+    return way.q == 0 && way.problem.zeta.high == 0 && way.limits.shape == BoxShape{}
+               ? -1.0 / (2 * way.n - 1)
+               : -1;
   }
   const double low = std::max(0.0, way.a2) / (1 - t * f_low);
   const double high = way.a_cap / (1 + t * f_high);

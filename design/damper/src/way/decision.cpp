@@ -23,6 +23,19 @@ Wide widened_reach(const Way& way, double f) {
   return std::max(twice(phi), 3 * phi - Wide(way.problem.p) * residual_of(way.problem));
 }
 
+/// As the edges of the way have it, to rounding.
+bool admissible_damped(const Way& way, const Interval& of_f, const Interval& of_delta) {
+  const double low = way.scaled(of_f.low);
+  const double high = way.scaled(of_f.high);
+  const double least = of_delta.low / way.square();
+  const double most = of_delta.high / way.square();
+  const bool reaches =
+      way.n == 0 || (way.v_low > 0 ? reach_edge(way, high, most).square <= way.v_low * way.v_low
+                                   : returning_notch(way, high).square <= 2 * least);
+  return reaches && (!way.stops_last() || last_edge(way, low, least).square > 1) &&
+         (!way.stops_early() || stop_edge(way, low, least).square > 1);
+}
+
 /// The square of V0 that reaches, or twice the Delta that sends every hit back.
 Wide reach_square(const Way& way, double f, double delta) {
   const WideNotch corner{Wide(f) / way.problem.p, 2 * delta};
@@ -59,6 +72,9 @@ bool admissible(const Way& way, double f, double delta, double tolerance) {
   const auto [of_f, of_delta] = box_about({f, delta, tolerance}, way.limits.shape);
   if (!(of_f.low >= way.f2 && of_f.high <= way.f_cap && of_delta.high <= way.delta_cap)) {
     return false;
+  }
+  if (problem.zeta.high > 0) {
+    return admissible_damped(way, of_f, of_delta);
   }
   if (way.is_papers()) {  // by the edges that the region reports, themselves
     return of_f.high <= way.tip && of_delta.low > unchecked_delta1(problem, of_f.low);

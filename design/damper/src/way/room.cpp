@@ -17,10 +17,28 @@ double side_room(double room, double value, double part) {
   return room < 0 ? 0 : part * value > 0 ? room / value / part : 1;
 }
 
+/// With damping the mass loses more than 2 d to each passage.
+double damped_d_on_edge(const EdgeStart& start, int steps, double square) {
+  constexpr double beyond = 1 + 1e-9;  // rounding, where hardly anything else is lost
+  const auto spare = [&](double y) {
+    return square - followed_back(start, steps, y * y / 2).square;
+  };
+  const double without = spare(0);
+  if (steps == 0 || without <= 0) {
+    return 0;
+  }
+  const double most = std::sqrt(square / steps) * beyond;
+  const double y = falling_root(spare, 0, most, without, spare(most));
+  return y * y / 2;
+}
+
 /// The d for which V0^2 on an edge is `square`; 0 where V0^2 is above it anyway. One step can be
 /// inverted; more need Newton's method in y = sqrt(2 d): V0^2 is convex in y, docs/theory.md
 /// section 13, so it comes down from the right.
 double d_on_edge(const EdgeStart& start, int steps, double square) {
+  if (start.zeta > 0) {
+    return damped_d_on_edge(start, steps, square);
+  }
   if (steps == 1) {
     const double arrival = std::sqrt(square + start.phi * start.phi) - 2 * start.phi;
     return arrival > start.radius ? (arrival - start.radius) * (arrival + start.radius) / 2 : 0;

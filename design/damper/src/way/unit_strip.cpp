@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "way/unit_strip.hpp"
 
+#include "way/damped_back.hpp"
+
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>
@@ -10,7 +12,10 @@
 namespace stillpoint::design::unit {
 
 EdgeSpeed followed_back(const EdgeStart& start, int steps, double d) {
-  const auto [radius, radius_by_a, phi, phi_by_a] = start;
+  if (start.zeta > 0) {
+    return damped_back(start, steps, d);
+  }
+  const auto [radius, radius_by_a, phi, phi_by_a, zeta] = start;
   double r = radius;
   double by_a = radius_by_a;
   double by_d = 0;

@@ -14,16 +14,22 @@ struct EdgeSpeed {
   double by_d{0};
 };
 
-/// A half-cycle back: its radius and phi = f/p, with their slopes.
+/// A half-cycle back: its radius and phi = f/p, with their slopes. The mass turns at radius - phi.
 struct EdgeStart {
   double radius{0};
   double radius_by_a{0};
   double phi{0};
   double phi_by_a{1};
+  double zeta{0};
 };
 
-/// (39): `steps` half-cycles back from the start, then to V0.
+/// (39), with damping (D20): `steps` half-cycles back from the start, then to V0.
 [[nodiscard]] EdgeSpeed followed_back(const EdgeStart& start, int steps, double d);
+
+/// exp(pi zeta / omega): by that much a turn is farther from the centre of its force than the next.
+[[nodiscard]] double shrinks_by(double zeta);
+/// The largest that the structure feels of a hit, over V0 p, docs/damping.md section 4.
+[[nodiscard]] double damped_acceleration(double zeta, double a);
 
 /// The motion up to its n-th arrival.
 struct Course {

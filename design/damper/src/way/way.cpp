@@ -3,6 +3,7 @@
 
 #include "region/edges.hpp"
 #include "unit_problem.hpp"
+#include "way/room.hpp"
 #include "wide.hpp"
 
 #include <algorithm>
@@ -21,9 +22,21 @@ double strip_tip(int n, double q, double v) {
   return tip >= q ? tip : v / std::sqrt(4.0 * n * n - 1);
 }
 
+/// The same with damping: what the strip needs grows with phi, and at v / sqrt(3) it is above v^2.
+double damped_tip(const Way& way) {
+  const double square = way.v_low > 0 ? way.v_low * way.v_low : 1;
+  const auto spare = [&](double a) { return square - reach_edge(way, a, 0).square; };
+  constexpr double beyond = 1 + 1e-9;  // rounding, with hardly any damping
+  const double most = std::sqrt(square / 3) * beyond;
+  return falling_root(spare, 0, most, square, spare(most));
+}
+
 double tip_of(const Way& way, double f3) {
   if (way.n == 0) {
     return HUGE_VAL;
+  }
+  if (way.problem.zeta.high > 0 && (way.n > 1 || way.q > 0)) {
+    return way.f_of(damped_tip(way));
   }
   return way.n == 1 && way.q == 0
              ? f3
@@ -73,6 +86,9 @@ Way::Way(const Problem& what, const Limits& allowed, int arrival, bool by_peak)
   if (n == 0) {
     f_cap = std::min(f_cap, at_peak ? below_dead_zone(what) : largest_f_at_rest(what));
   }
+  if (what.zeta.high > 0) {  // with more, hardly anything moves: a load case is not searched there
+    f_cap = std::min(f_cap, what.p * what.v0);
+  }
   tip = tip_of(*this, edge.f3);
   f_top = std::min(f_cap, tip);
   a2 = scaled(f2);
@@ -86,12 +102,17 @@ Sides sides(const BoxShape& shape, double tolerance) {
 }
 
 unit::EdgeStart reach_start(const Way& way, double a) {
+  if (const double zeta = way.problem.zeta.high; zeta > 0) {
+    const double grown = unit::shrinks_by(zeta);
+    return a >= way.q ? unit::EdgeStart{2 * a + (a - way.q) * grown, 2 + grown, a, 1, zeta}
+                      : unit::EdgeStart{2 * a, 2, a, 1, zeta};
+  }
   return a >= way.q ? unit::EdgeStart{3 * a - way.q, 3, a} : unit::EdgeStart{2 * a, 2, a};
 }
 
 unit::EdgeStart last_start(const Way& way, double a) {
   const double c = stop_radius(way.problem) / way.p_ratio;
-  return {c * a, c, a / way.p_ratio, 1 / way.p_ratio};
+  return {c * a, c, a / way.p_ratio, 1 / way.p_ratio, way.problem.zeta.low};
 }
 
 /// Rests within r on the next half-cycle, (55), at the tightest point with phi >= q, (56).
@@ -101,10 +122,11 @@ unit::EdgeStart stop_start(const Way& way, double a) {
   const double at = std::max(a, q);
   const double moves = a >= q ? 1 : 0;
   if (const double k = way.p_ratio; at >= q * k * k) {
-    return {c * at / k + q * k, moves * c / k, at / k, moves / k};
+    return {c * at / k + q * k, moves * c / k, at / k, moves / k, way.problem.zeta.low};
   }
   const double phi = std::sqrt(at * q);
-  return {(c + 1) * phi, moves * (c + 1) * phi / (2 * at), phi, moves * phi / (2 * at)};
+  return {(c + 1) * phi, moves * (c + 1) * phi / (2 * at), phi, moves * phi / (2 * at),
+          way.problem.zeta.low};
 }
 
 unit::EdgeSpeed reach_edge(const Way& way, double a, double d) {

@@ -41,6 +41,9 @@ struct Problem {
   std::optional<double> p_high{};
   /// A rest with |x| <= residual is admissible as well, after at most `arrivals` half-cycles.
   std::optional<double> residual{};
+  /// Of critical damping, anywhere in which it may be; below 1, and by the exact criterion. Search
+  /// and mends alone take it, to rounding and not to the last bit.
+  Interval zeta{};
 
   /// The weakest hit that must move the mass.
   [[nodiscard]] double starting_v0() const { return v0_low.value_or(0) > 0 ? *v0_low : v0; }
@@ -85,8 +88,8 @@ struct DesignPoint {
   double tolerance{0};  ///< the largest R that it allows
 };
 
-/// One hit, one spring, no residual and the same tolerance on every side: the paper's task, or that
-/// of a later arrival.
+/// One hit, one spring, no residual, no damping and the same tolerance on every side: the paper's
+/// task, or that of a later arrival.
 [[nodiscard]] bool is_plain(const Problem& problem, const Limits& limits);
 
 /// Throws InputError, naming the field, unless

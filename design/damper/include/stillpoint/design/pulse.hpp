@@ -33,11 +33,7 @@ struct PulseProblem {
   Criterion criterion{Criterion::published};
   PulseRanges ranges{};
   std::optional<double> p_high{};  ///< as that of Problem
-  /// Of the spring's critical damping, the ends between which it may be: the least of it moves a
-  /// mass the farthest and the fastest.
-  Interval zeta{};
-  /// The pulse stands for a hit, pulse_of_hit(), against which the notch must not hold the mass.
-  bool of_hit{false};
+  double zeta{0};                  ///< of the spring's critical damping
 
   [[nodiscard]] bool has_ranges() const {
     return ranges.k_low.has_value() || ranges.lambda_high.has_value() || p_high.has_value();
@@ -61,10 +57,6 @@ inline constexpr double slowest_pulse = 100;
 /// swings many times before it returns, a region is too expensive to compute a hundred of them.
 inline constexpr double slowest_examined = 10;
 
-/// A pulse that is over in 3e-10 of a radian of the spring, with the same motion to that part; and
-/// the velocity that it leaves.
-[[nodiscard]] Pulse pulse_of_hit(double v0, double p);
-[[nodiscard]] double hit_of(const Pulse& pulse);
 /// Of what would hold the mass against a load: a friction that is searched stays below this part.
 inline constexpr double below_start = 1 - 1e-9;
 

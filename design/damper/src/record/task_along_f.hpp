@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// A task of one hit or one pulse at whose first return every damper must stop: its best damper and
-// what would help are found along f, as those of a pulse, docs/theory.md section 8.
+// A task of one hit, or of one pulse at whose first return every damper must stop: its best damper
+// and what would help are found along f, docs/theory.md sections 8 and 12.
 
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace stillpoint::design {
@@ -18,23 +19,26 @@ struct DamperAlongF {
   double scale{1};
 };
 
-class FirstReturnTask {
+class TaskAlongF {
  public:
   /// Empty if a completed request is another task.
-  [[nodiscard]] static std::optional<FirstReturnTask> of(const RecordDesignRequest& task);
+  [[nodiscard]] static std::optional<TaskAlongF> of(const RecordDesignRequest& task);
 
   /// The best for the objective, with the tolerance that is required; empty if there is none.
   [[nodiscard]] std::optional<DamperAlongF> best() const;
-  /// Each that would help alone, where there is none, but for a residual or another arrival.
-  [[nodiscard]] std::vector<Mend> mends() const;
+  /// Each that would help alone. It leaves that room, of the tolerance and as a part of the limits:
+  /// of a single damper the box could not be verified.
+  [[nodiscard]] std::vector<Mend> mends(double room) const;
+  /// Whether these say how far the limit of that figure has to move.
+  [[nodiscard]] bool moves(const SuiteFigureKind& kind) const;
 
  private:
-  PulseProblem problem_;
+  std::variant<Problem, PulseProblem> problem_;
   Limits limits_;
   Objective objective_{Objective::robust};
-  double p_{1};
   bool bounds_delta_itself_{false};  ///< and not its box: nobody did
   double whole_{1};                  ///< the largest side of the tolerance of the request
+  double p_{1};
 };
 
 }  // namespace stillpoint::design

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "suites_of_records.hpp"
 
-BOOST_AUTO_TEST_SUITE(first_return_task_test)
+BOOST_AUTO_TEST_SUITE(task_along_f_test)
 
-// One hit or pulse at whose first return the mass must stop, searched along f: without damping it
-// has the exact answers of a hit and of a pulse, with it what helps does and is the least.
+// One hit, or a pulse at whose first return the mass must stop, searched along f: without damping
+// it has the exact answers of a hit and of a pulse, with it what helps does and is the least.
 
 using namespace stillpoint::design_test;
 
@@ -23,6 +23,8 @@ RecordDesignRequest as_case(const DesignRequest& exact, const Interval& zeta) {
   only.v0 = pulse ? std::nullopt : std::optional(problem.v0);
   only.pulse = pulse;
   only.weakest = problem.v0_low.value_or(problem.v0) / problem.v0;
+  only.limits.residual = problem.residual.value_or(0);
+  only.limits.passages = static_cast<double>(problem.arrivals - 1);
   only.limits.acceleration = limits.acceleration_max;
   request.p = {problem.p, problem.p};
   request.f_max = limits.f_max;
@@ -47,7 +49,10 @@ DesignRequest drawn(RandomSource& random) {
     const double k = problem.v0 * lambda / 2;
     request.pulse = random.pick(2) == 0 ? Pulse(HalfSine{k, lambda}) : Pulse(Rectangle{k, lambda});
   } else {
-    random.one_in(3, problem.v0_low, [&] { return problem.v0 * random.uniform(0.8, 1); });
+    random.one_in(3, problem.v0_low,
+                  [&] { return random.pick(2) == 0 ? 0 : problem.v0 * random.uniform(0.8, 1); });
+    random.one_in(3, problem.residual, [&] { return problem.beta * random.uniform(0.02, 0.3); });
+    problem.arrivals = 1 + static_cast<std::int64_t>(random.pick(3));
   }
   Limits& limits = request.limits;
   limits.delta_max = problem.v0 * problem.v0 * random.uniform(0.05, 0.4);

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "record/task_along_f.hpp"
+
+#include "pulse/region.hpp"
+#include "record/suite_request.hpp"
+
+#include <stillpoint/design/region.hpp>
+#include <stillpoint/design/search.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+namespace stillpoint::design {
+
+namespace {
+
+constexpr std::array objectives{std::pair(SuiteObjective::robust, Objective::robust),
+                                std::pair(SuiteObjective::amplitude, Objective::amplitude),
+                                std::pair(SuiteObjective::acceleration, Objective::acceleration),
+                                std::pair(SuiteObjective::time, Objective::time)};
+
+/// The limits of which a mend leaves a part.
+constexpr std::array<std::string_view, 3> shrunk{"beta", "acceleration_max", "residual"};
+
+/// Whether what is searched has no ends but those that the load and the limits set.
+bool searches_all(const RecordDesignRequest& task) {
+  RecordDesignRequest open = task;
+  open.f = open.delta = std::nullopt;
+  open = completed(std::move(open));
+  return open.f == task.f && open.delta == task.delta && task.f->high > 0 && task.delta->high > 0;
+}
+
+bool stops_at_once(const LoadCase& only) {
+  return only.limits.residual == 0.0 && only.limits.passages == 0.0;
+}
+
+/// Of a pulse the first return alone. Of a hit also later arrivals, and rests off centre where the
+/// spring does not vary; the time to rest has no closed bound with damping.
+bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
+  const bool varies = task.spring.above + task.spring.below > 0;
+  return only.v0 ? only.limits.residual && only.limits.passages < most_arrivals &&
+                       (only.limits.residual == 0.0 || !varies) &&
+                       task.objective != SuiteObjective::time
+                 : stops_at_once(only) && only.weakest > 0 && task.zeta.low == task.zeta.high;
+}
+
+bool is_along_f(const RecordDesignRequest& task) {
+  const LoadCase& only = task.cases.front();
+  const SuiteLimits& limits = only.limits;
+  const Spread& period = task.tolerance.period;
+  return task.cases.size() == 1 && !only.of_records() && limits.peak && is_known(task, only) &&
+         !limits.jump && !limits.stop_time && !limits.late && task.p.low == task.p.high &&
+         !task.hold && !task.width && task.breakaway == 1 && period.below + period.above == 0;
+}
+
+}  // namespace
+
+std::optional<TaskAlongF> TaskAlongF::of(const RecordDesignRequest& task) {
+  const auto* const objective =
+      std::ranges::find(objectives, task.objective, [](const auto& row) { return row.first; });
+  if (task.judges || task.maps || objective == objectives.end() || !is_along_f(task) ||
+      !searches_all(task)) {
+    return std::nullopt;
+  }
+  const LoadCase& only = task.cases.front();
+  const double softest = task.p.low / (1 + task.spring.above);
+  const std::optional<double> stiffest = task.spring.above + task.spring.below > 0
+                                             ? std::optional(task.p.low / (1 - task.spring.below))
+                                             : std::nullopt;
+  const auto weakest_of = [&](double load) {
+    return only.weakest < 1 ? std::optional(only.weakest * load) : std::nullopt;
+  };
+  TaskAlongF known;
+  known.p_ = task.p.low;
+  known.objective_ = objective->second;
+  Limits& limits = known.limits_;
+  limits.f_max = task.f_max;
+  limits.delta_max = task.delta_max;
+  limits.acceleration_max = only.limits.acceleration;
+  const auto& [f, delta, width, period] = task.tolerance;
+  if (f.below + f.above + delta.below + delta.above > 0) {
+    shape_box(limits, f, delta);
+  }
+  known.whole_ = limits.tolerance;
+  if (only.v0) {
+    Problem& hit = known.problem_.emplace<Problem>();
+    hit = {*only.v0, softest, *only.limits.peak, Criterion::exact};
+    hit.arrivals = static_cast<std::int64_t>(*only.limits.passages) + 1;
+    hit.v0_low = weakest_of(*only.v0);
+    hit.p_high = stiffest;
+    hit.residual = only.limits.residual > 0.0 ? only.limits.residual : std::nullopt;
+    hit.zeta = task.zeta;
+  } else {
+    PulseProblem& pulse = known.problem_.emplace<PulseProblem>();
+    pulse = {*only.pulse, softest, *only.limits.peak, Criterion::exact};
+    pulse.ranges.k_low = weakest_of(peak_load(pulse.pulse));
+    pulse.p_high = stiffest;
+    pulse.zeta = task.zeta.low;
+    if (!task.delta_max) {  // what a design itself may have
+      limits.delta_max = task.delta->high;
+      limits.shape.delta_high = 0;
+      known.bounds_delta_itself_ = true;
+    }
+  }
+  if (task.objective == SuiteObjective::robust && !task.requires_tolerance) {
+    limits.tolerance = 0;
+  }
+  return known;
+}
+
+std::optional<DamperAlongF> TaskAlongF::best() const {
+  std::optional<DesignPoint> point;
+  if (const auto* const hit = std::get_if<Problem>(&problem_)) {
+    if (const auto found = search(*hit, limits_, {.objective = objective_})) {
+      point = found->point;
+    }
+  } else {
+    const PulseRegion region(std::get<PulseProblem>(problem_), limits_);
+    if (const auto optimum = search(region, {.objective = objective_})) {
+      point = region.in_units(optimum->found.point);
+    }
+  }
+  return point ? std::optional(DamperAlongF{{.p = p_, .f = point->f, .delta = point->delta},
+                                            whole_ > 0 ? point->tolerance / whole_ : 1})
+               : std::nullopt;
+}
+
+std::vector<Mend> TaskAlongF::mends(double room) const {
+  std::variant<Problem, PulseProblem> problem = problem_;
+  Limits limits = limits_;
+  limits.tolerance += room;
+  if (limits.acceleration_max) {
+    *limits.acceleration_max *= 1 - room;
+  }
+  std::visit([&](auto& one) { one.beta *= 1 - room; }, problem);
+  std::vector<Mend> list;
+  if (auto* const hit = std::get_if<Problem>(&problem)) {
+    if (hit->residual) {
+      *hit->residual *= 1 - room;
+    }
+    list = design::mends(*hit, limits);
+  } else {
+    const PulseProblem& pulse = std::get<PulseProblem>(problem);
+    list = design::mends(pulse, limits, std::make_shared<const WorstReturn>(pulse)).list;
+  }
+  std::erase_if(list, [&](const Mend& each) {
+    return (each.field == "tolerance" && each.value < room) ||
+           (each.field == "delta_max" && bounds_delta_itself_);
+  });
+  for (Mend& each : list) {
+    each.value -= each.field == "tolerance" ? room : 0;
+    each.value /= std::ranges::find(shrunk, each.field) != shrunk.end() ? 1 - room : 1;
+  }
+  return list;
+}
+
+bool TaskAlongF::moves(const SuiteFigureKind& kind) const {
+  return std::holds_alternative<Problem>(problem_) || kind.limit == &SuiteLimits::peak ||
+         kind.limit == &SuiteLimits::acceleration;
+}
+
+}  // namespace stillpoint::design
