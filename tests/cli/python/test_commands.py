@@ -39,6 +39,8 @@ INPUTS = [
     ("simulate", {"v0": 1, "p": 1, "f": 0.1, "delta": 0.02, "damping": "5%", "breakaway": 1.5}),
     ("spectrum", {"record": [str(RECORD)], "period": "2s:3s:2", "f": 0.05, "delta_m": "10mm", "damping": 0.1}),
     ("spectrum", {"record": [str(RECORD)], "period": "2s:3s:4", "f": 0.05, "delta_m": "10mm"}),
+    ("spectrum", {"pulse": "half-sine", "k": "5g", "pulse_duration": "11ms", "period": "5ms:50ms:4", "f": 0.1, "delta_m": 0}),
+    ("spectrum", {"velocity": 0.4, "period": "1s:3s:4", "f": 0.05, "delta_m": "2mm"}),
     ("spectrum", {"record": [str(RECORD)] * 2, "record_scale": 0.5, "period": "1:4:3:log", "f": 0,
                   "delta_m": 0.01, "hold": 0.1, "combine": "mean"}),  # without the notch it never rests
 ]
