@@ -15,29 +15,26 @@ namespace stillpoint::cli {
 
 namespace {
 
-/// The text below the options of a command; "stillpoint" is that of the program.
-std::string_view footer(std::string_view name) {
-  const std::string_view text = texts::embedded(fmt::format("help/{}.txt", name));
-  return text.substr(0, text.size() - 1);  // a file ends with a newline
+/// The text below the options of a command: a file, which ends with a newline.
+std::string_view footer(std::string_view text) {
+  return text.substr(0, text.size() - 1);
 }
 
-CommandHelp command_row(Command command, std::string_view summary,
-                        std::vector<std::string_view> words = {}) {
-  return {command, summary, footer(name(command)), std::move(words)};
+/// The first line of its file in data/help is what it is for, the rest its examples.
+CommandHelp command_row(Command command, std::vector<std::string_view> words = {}) {
+  const std::string_view text = texts::embedded(fmt::format("help/{}.txt", name(command)));
+  const std::size_t line = text.find('\n');
+  return {command, text.substr(0, line), footer(text.substr(line + 1)), std::move(words)};
 }
 
-const std::array command_helps{
-    command_row(Command::design, "find the damper for a hit, a pulse or a suite of records"),
-    command_row(Command::region, "find the admissible f and delta, or judge a given damper"),
-    command_row(Command::simulate, "compute one motion, free or under a load"),
-    command_row(Command::spectrum, "compute one damper under a load for many periods"),
-    command_row(Command::sweep, "compute many motions or designs, from a grid or a list"),
-    command_row(Command::accuracy,
-                "compare methods on one motion: time, and error against 50 digits"),
-    command_row(Command::init, "print a commented scene to start from",
-                {"building", "machine", "equipment"}),
-    command_row(Command::explore, "open the page with the program in it", {"open", "path"}),
-};
+const std::array command_helps{command_row(Command::design),
+                               command_row(Command::region),
+                               command_row(Command::simulate),
+                               command_row(Command::spectrum),
+                               command_row(Command::sweep),
+                               command_row(Command::accuracy),
+                               command_row(Command::init, {"building", "machine", "equipment"}),
+                               command_row(Command::explore, {"open", "path"})};
 
 /// What CLI11 collects for one subcommand: strings, which are converted once the command is known.
 struct Collected {
@@ -271,7 +268,7 @@ Invocation parse_command_line(int argc, const char* const* argv) {
   app.set_help_flag("-h,--help", "print this text");
   app.set_version_flag("--version", report::version_line())->description("print the version");
   app.allow_extras();
-  app.footer(std::string(footer("stillpoint")));
+  app.footer(std::string(footer(texts::embedded("help/stillpoint.txt"))));
   std::vector<std::string> words = without_help_command(argc, argv);
   std::vector<std::string> operands = take_operands(words);
   std::ranges::reverse(words);  // as CLI11 takes them

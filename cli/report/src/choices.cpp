@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "choices.hpp"
 
-#include <cstddef>
+#include <stillpoint/texts/embedded.hpp>
 
 #include <fmt/ranges.h>
 
+#include <cstddef>
 #include <iterator>
 #include <numbers>
 
@@ -15,18 +16,6 @@ namespace {
 constexpr std::size_t most_rows = 12;  // with the answer, a screen
 constexpr std::size_t most_parts = 10;
 constexpr std::size_t most_misses = 4;  // parts that are not admissible: each has several lines
-
-/// What a constraint on f or delta is for.
-std::string purpose(std::string_view constraint) {
-  return constraint == "return"         ? "the mass does not come back"
-         : constraint == "amplitude"    ? "the mass swings too far"
-         : constraint == "stop"         ? "the mass passes x = 0"
-         : constraint == "start"        ? "the load does not move the mass"
-         : constraint == "residual"     ? "the mass rests too far off centre"
-         : constraint == "dead_zone"    ? "friction could hold the mass beyond its stroke"
-         : constraint == "acceleration" ? std::string("the structure feels too much")
-                                        : format("the {} is exceeded", in_words(constraint));
-}
 
 /// "the mass does not come back (needs f <= 0.353553)", "the stroke is 412 mm where 400 mm is
 /// allowed".
@@ -40,7 +29,8 @@ std::string violation(const design::Constraint& now, const Physical& physical) {
       : kind != design::suite_figure_kinds.end() && kind->variable == now.variable
           ? format("the {} is {}", kind->words,
                    beyond(physical, now.dimension(), now.value, now.limit))
-          : format("{} ({})", purpose(now.name), need(now, units_of(physical)));
+          : format("{} ({})", texts::line_of("words/violations.txt", now.name),
+                   need(now, units_of(physical)));
   return words + (now.in_case.empty() ? "" : " in case " + now.in_case);
 }
 

@@ -13,14 +13,6 @@ using design::FindingValue;
 using design::Severity;
 using nlohmann::ordered_json;
 
-/// What "changes" says.
-std::string changed_words(std::string_view what) {
-  return what == "start"  ? "whether it starts"
-         : what == "stop" ? "the number of half-cycles or whether it stops at x = 0"
-         : what == "rest" ? "whether it comes to rest"
-                          : "whether it locks";
-}
-
 /// Values and the units to tell them in.
 class Told {
  public:
@@ -90,7 +82,7 @@ class Told {
       return plain(*value);
     }
     if (const auto* const word = std::get_if<std::string>(&value->value)) {
-      return name == "changes"  ? changed_words(*word)
+      return name == "changes"  ? std::string(texts::line_of("words/changes.txt", *word))
              : name == "record" ? scaled_name(*word, number(*find("scale")))
                                 : *word;
     }

@@ -4,6 +4,7 @@
 #include <stillpoint/design/search.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/report/record_design.hpp>
+#include <stillpoint/texts/embedded.hpp>
 
 #include <fmt/format.h>
 
@@ -37,16 +38,8 @@ void add_frame(figures::HtmlPage& page, const PageFrame& frame) {
 
 std::vector<std::string> figure_ids(std::string_view command) {
   const bool of_dampers = command == "design" || command == "region";
-  const auto words = records::words_of(
-      of_dampers
-          ? "region trade-off trade-off-tolerance hits pulses motion phase energy loop pulse "
-            "excitation map map-near worst worst-load spectrum-acceleration spectrum-peak "
-            "spectrum-residual"
-      : command == "simulate" ? "motion phase energy loop excitation transmitted"
-      : command == "spectrum" ? "spectrum-acceleration spectrum-peak spectrum-residual"
-      : command == "sweep"    ? "map"
-                              : "",
-      " ");
+  command = of_dampers ? "design" : command;
+  const auto words = records::words_of(texts::line_of("words/figures.txt", command), " ");
   std::vector<std::string> ids(words.begin(), words.end());
   for (int record = 1; of_dampers && record <= most_drawn_records; ++record) {
     ids.push_back(fmt::format("record-{}", record));

@@ -2,6 +2,9 @@
 // What several reports say of a damper, its motion and its check.
 #include "sections.hpp"
 
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/texts/embedded.hpp>
+
 #include <numbers>
 
 namespace stillpoint::report {
@@ -166,13 +169,7 @@ void add_start(Section& answer, double least_width, const Response& response,
 }
 
 std::string outcome_phrase(Outcome outcome) {
-  return outcome == Outcome::stopped_at_zero        ? "stops at x = 0"
-         : outcome == Outcome::stopped_in_dead_zone ? "stops off x = 0, in the dead zone"
-         : outcome == Outcome::stopped_in_notch     ? "stops off x = 0, in the notch"
-         : outcome == Outcome::never_stops ? "never stops: there is no friction where it moves"
-         : outcome == Outcome::caught_at_start
-             ? "never starts: the hit is too weak to leave the notch"
-             : "is still moving at the end of the run";
+  return std::string(texts::line_of("words/outcomes.txt", name(outcome)));
 }
 
 std::string outcome_phrase(const ForcedResponse& response) {

@@ -2,6 +2,10 @@
 // The areas of the plane of f and Delta in words and colours.
 #include "figures/region_figures.hpp"
 
+#include <stillpoint/core/names.hpp>
+#include <stillpoint/report/findings.hpp>
+#include <stillpoint/texts/embedded.hpp>
+
 #include <array>
 #include <iterator>
 
@@ -12,40 +16,29 @@ using design::PlaneKind;
 
 namespace {
 
+/// Its name is in data/words/plane.txt.
 struct PlaneLook {
   PlaneKind kind;
-  const char* name;  ///< with {beta}, {beyond}, {hits}, {n} and {last}
   Ink ink{Ink::grey};
   AreaLook look{AreaLook::hatched};
-  const char* with_residual{nullptr};  ///< its name there, if it is another
 };
 
 PlaneLook look_of(PlaneKind kind) {
   using enum PlaneKind;
   using enum AreaLook;
-  static constexpr std::array looks{
-      PlaneLook{any_rest, "any rest within the residual", Ink::amber, filled},
-      PlaneLook{arrival, "arrival {n}", Ink::sky, filled},
-      PlaneLook{later_arrivals, "arrivals {n} to {last}, thin strips with gaps", Ink::grey, filled},
-      PlaneLook{admissible, "admissible", Ink::sky, filled},
-      PlaneLook{too_weak, "too weak: exceeds {beta}"},
-      PlaneLook{too_strong, "too strong: does not return", Ink::grey, hatched,
-                "too strong: rests too far off"},
-      PlaneLook{dead_zone, "too strong: dead zone exceeds {beta}"},
-      PlaneLook{never_starts, "too strong: never starts"},
-      PlaneLook{too_weak_and_strong, "gap: no f returns within {beta}", Ink::orange, filled,
-                "gap: no f is admissible"},
-      PlaneLook{held_at_start, "notch holds at the start"},
-      PlaneLook{too_weak_and_limited, "gap: too weak; {beyond}", Ink::orange, filled},
-      PlaneLook{beyond_limit, "{beyond}", Ink::amber},
-      PlaneLook{misses_limits, "does not meet the limits"},
-      PlaneLook{exceeds_everywhere, "exceeds {beta}"},
-      PlaneLook{notch_too_weak, "notch too weak"},
-      PlaneLook{by_criterion_alone, "stops, but not by the published criterion", Ink::amber},
-      PlaneLook{above_delta_max, "above the largest Δ", Ink::amber},
-      PlaneLook{notch_too_weak_and_limited, "gap: no notch is strong enough", Ink::orange, filled},
-      PlaneLook{off_centre, "{hits} off centre", Ink::grey, hatched, "{hits} too far off"}};
-  return *std::ranges::find(looks, kind, &PlaneLook::kind);
+  static constexpr auto looks =
+      std::to_array<PlaneLook>({{any_rest, Ink::amber, filled},
+                                {arrival, Ink::sky, filled},
+                                {later_arrivals, Ink::grey, filled},
+                                {admissible, Ink::sky, filled},
+                                {too_weak_and_strong, Ink::orange, filled},
+                                {too_weak_and_limited, Ink::orange, filled},
+                                {beyond_limit, Ink::amber},
+                                {by_criterion_alone, Ink::amber},
+                                {above_delta_max, Ink::amber},
+                                {notch_too_weak_and_limited, Ink::orange, filled}});
+  const auto* const found = std::ranges::find(looks, kind, &PlaneLook::kind);
+  return found != looks.end() ? *found : PlaneLook{kind};
 }
 
 }  // namespace
@@ -70,17 +63,22 @@ void add_areas(Figure& figure, const std::vector<PlaneArea>& areas, const ShownT
       arrivals.insert(static_cast<double>(area.arrival));
     }
   }
+  std::vector<design::FindingValue> values{
+      {"n", std::int64_t{}},
+      {"last", problem.arrivals},
+      {"beta", units.length.words(problem.beta)},
+      {"limited", std::string(beyond)},
+      {"hits", problem.v0_low || problem.p_high ? "some hits rest" : "rests"}};
+  if (problem.residual) {
+    values.push_back({"residual", std::string()});
+  }
   for (const PlaneArea& area : areas) {
     const PlaneLook look = look_of(area.kind);
     const auto n = static_cast<double>(area.arrival);
     const bool strip = area.kind == PlaneKind::arrival;
-    const bool other = problem.residual && look.with_residual != nullptr;
+    values[0].value = static_cast<std::int64_t>(area.arrival);
     figure.areas.push_back(
-        {.name = fmt::format(
-             fmt::runtime(other ? look.with_residual : look.name),
-             fmt::arg("beta", units.length.words(problem.beta)), fmt::arg("beyond", beyond),
-             fmt::arg("hits", problem.v0_low || problem.p_high ? "some hits rest" : "rests"),
-             fmt::arg("n", area.arrival), fmt::arg("last", problem.arrivals)),
+        {.name = filled(texts::line_of("words/plane.txt", name(area.kind)), values, task.physical),
          .outline = outline(area, units.length.factor),
          .ink = strip ? arrival_ink(n) : look.ink,
          .look = look.look,
