@@ -146,13 +146,6 @@ BOOST_AUTO_TEST_CASE(of_one_hit_are_what_the_motion_does) {
   }
 }
 
-// A hit returns for f up to 0.35 with V0 = p = 1.
-BOOST_AUTO_TEST_CASE(beyond_a_limit_of_f_an_area_is_named_after_it) {
-  const Figure figure = region_of({.v0 = 1, .p = 1, .beta = 0.95}, {.f_max = 0.25});
-  BOOST_TEST(said(figure, {0.3, 0.3}) == std::vector<std::string>{"above the largest f"});
-  BOOST_TEST(said(figure, {0.2, 0.3}) == std::vector<std::string>{"admissible"});
-}
-
 BOOST_AUTO_TEST_CASE(the_line_of_a_tolerance_surrounds_the_dampers_that_keep_it) {
   for (const auto& [arrivals, residual] : {std::pair(1, 0.0), {3, 0.0}, {3, 0.15}}) {
     Problem problem{.v0 = 1, .p = 1, .beta = 0.95, .arrivals = arrivals};
