@@ -64,7 +64,7 @@ struct Taylor {
 };
 
 /// A step of this part of the time is the last one: it leaves an error of its cube.
-constexpr double last_step = 1e-6;
+constexpr double settled_step = 1e-6;
 /// The most steps to a zero, even if it is double or lost in rounding.
 constexpr int most_steps = 100;
 
@@ -91,7 +91,7 @@ SlideMoment zero(const SineSlide& slide, double positive, const SlideMoment& not
   for (int i = 0; i < most_steps; ++i) {
     const Taylor here = figure(now.motion);
     const double step = step_of(here);
-    if (std::abs(here.value) <= last_step * now.h * std::abs(here.slope)) {
+    if (std::abs(here.value) <= settled_step * now.h * std::abs(here.slope)) {
       now.h += step;
       now.motion = slide.at(now.h);
       return now;
@@ -144,7 +144,7 @@ Slid slid(const SineSlide& slide, bool outwards, double last) {
       // The next zero of u'' + u = 0 is no farther than Newton's step.
       if (here.slope < 0 && is_near(here, -u / here.slope)) {
         step = step_of(here);
-        if (step <= last_step * to) {
+        if (step <= settled_step * to) {
           return turned_or_arrived({to + step, slide.at(to + step)});
         }
       } else {

@@ -15,7 +15,7 @@ namespace {
 /// Dampers between two checks of whether to go on.
 constexpr std::int64_t grid_block = 1024;
 /// Of a value that cannot be off: figures vary over some five per cent of the period.
-constexpr double exact_step = 0.05;
+constexpr double period_step = 0.05;
 constexpr std::int64_t most_exact_points = 24;
 /// Of a grid that is never computed in full: it is kept in memory.
 constexpr double most_points = 1e6;
@@ -49,7 +49,7 @@ SuiteGrid grid_of(const SuiteSpace& space, std::int64_t window, double coarse) {
       grid.at(i) = side_of(axis, (axis.down() + axis.up()) / static_cast<double>(window), window);
     } else if (space.searched() > 1 && axis.variable() == SuiteAxis::Variable::period) {
       const double points =
-          std::clamp(std::ceil(length / exact_step), 2.0, static_cast<double>(most_exact_points));
+          std::clamp(std::ceil(length / period_step), 2.0, static_cast<double>(most_exact_points));
       grid.at(i) = side_of(axis, length / points, 0);
     } else {
       grid.at(i) = side_of(axis, std::min(coarse, length / 2), 0);

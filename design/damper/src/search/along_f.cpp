@@ -16,8 +16,6 @@ namespace stillpoint::design {
 
 namespace {
 
-constexpr auto nowhere = [](double, double) { return false; };
-
 struct Timed {
   double delta{0};
   double cost{HUGE_VAL};
@@ -60,7 +58,7 @@ void consider_soonest(const Way& way, const Interval& f, BestPoint& best) {
     consider(low);
     if (best.cost() > first_half_turn(way.scaled(low), way.scaled(high)) + clearly_better) {
       consider(high);
-      consider(highest(worth, {low, high}, HUGE_VAL, nowhere).at);
+      consider(highest(worth, {low, high}).at);
     }
   };
   double end = f.high;
@@ -93,7 +91,7 @@ void consider_time(const Way& way, const Interval& f, BestPoint& best) {
     const auto worth = [&](double at) {
       return -way_cost(way, Objective::time, {at, best_delta(way, at, BestDelta::least), 0});
     };
-    best.consider(highest(worth, f, HUGE_VAL, nowhere).at);
+    best.consider(highest(worth, f).at);
   }
 }
 

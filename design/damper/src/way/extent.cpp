@@ -55,10 +55,10 @@ double roomiest_f(const Way& way, const Interval& f) {
     return f.high;
   }
   constexpr double enough = 1e-6;  // more than rounding, if there is more
-  const auto nowhere = [&](double from, double to) {
+  const auto no_room = [&](double from, double to) {
     return no_room_between(way, way.scaled(from), way.scaled(to), t);
   };
-  return highest([&](double at) { return room(way, way.scaled(at), t); }, f, enough, nowhere).at;
+  return highest([&](double at) { return room(way, way.scaled(at), t); }, f, enough, no_room).at;
 }
 
 }  // namespace
@@ -157,9 +157,7 @@ DesignPoint most_tolerant(const Way& way) {
                                      f.low, f.high))
                : DesignPoint();
   }
-  const auto nowhere = [](double, double) { return false; };
-  const Highest best =
-      highest([&](double at) { return tolerance_at(way, way.scaled(at)); }, f, HUGE_VAL, nowhere);
+  const Highest best = highest([&](double at) { return tolerance_at(way, way.scaled(at)); }, f);
   if (!(best.value > 0)) {
     return {};
   }

@@ -81,4 +81,9 @@ Highest highest(const F& function, Interval f, double enough, const Nowhere& now
   return found();
 }
 
+template <class F>
+Highest highest(const F& function, Interval f) {
+  return highest(function, f, HUGE_VAL, [](double, double) { return false; });
+}
+
 }  // namespace stillpoint::design
