@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "damped_free.hpp"
 
+#include "kernel/certain_passages.hpp"
 #include "kernel/damped_swing-inl.hpp"
 #include "kernel/damped_terms.hpp"
 #include "kernel/phase_clock.hpp"
@@ -83,7 +84,18 @@ class DampedRun {
   }
 
  private:
+  void require_few_passages() const {
+    const double turn = first_peak(motion_) * motion_.p;
+    const double certain =
+        certain_passages(turn, motion_.held, motion_.notch, motion_.cycle.zeta, limit_ - 1,
+                         [&](double u) { return 4 * motion_.phi * u; });
+    if (certain > limit_ - 1) {
+      throw TooManyHalfCycles::at_least(certain, limit_);
+    }
+  }
+
   void follow() {
+    require_few_passages();
     speed_ = motion_.speed;
     end_.peak = motion_.peak;
     while (half_cycle()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
 
+#include "kernel/certain_passages.hpp"
 #include "kernel/damped_piece.hpp"
 
 // Free motions with damping and with breakaway friction: docs/damping.md.
@@ -30,6 +31,49 @@ BOOST_AUTO_TEST_CASE(a_slow_start_against_much_friction_keeps_its_digits) {
   BOOST_TEST((found.outcome == Outcome::stopped_in_dead_zone));
   // it takes the integral of 1/(1 + 2 zeta u + u^2)
   BOOST_TEST(std::abs(*found.stop_time / (v - .3 * v * v) - 1) <= 1e-13);
+}
+
+BOOST_AUTO_TEST_CASE(a_damped_motion_of_too_many_half_cycles_is_refused_at_once) {
+  for (const double little : {1e-10, 1e-300}) {
+    for (const double zeta : {1e-10, 1e-300}) {
+      for (const Start start : {Start{0, 1}, Start{1, 0}}) {
+        const Oscillator oscillator = damped(zeta, little, little);
+        check_contains(
+            refusal_of<TooManyHalfCycles>([&] { (void)free_response(oscillator, start); }),
+            {"takes at least", "half-cycle-limit"});
+        check_contains(refusal_of<TooManyHalfCycles>([&] {
+                         (void)forced_response(oscillator, start, Rectangle{0.5, 1}, {}, {});
+                       }),
+                       {"takes at least", "half-cycle-limit"});
+      }
+    }
+  }
+}
+
+/// (D20) with ends that friction, the notch or damping bring about.
+BOOST_AUTO_TEST_CASE(what_is_refused_at_once_would_have_been_refused) {
+  Dice dice(20);
+  int many = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double phi = dice.power_of_ten(-6, -3);
+    const double notch = dice.once_in(3) ? 0 : dice.power_of_ten(-9, -4);
+    Oscillator oscillator = damped(dice.power_of_ten(-7, -3), phi, notch / 2);
+    oscillator.breakaway = dice.once_in(5) ? dice.power_of_ten(0, 2) : 1;
+    const double passages = *free_response(oscillator, {1, 0}).zero_passages;
+    const double certain = certain_passages(1, oscillator.breakaway * phi, notch, oscillator.zeta,
+                                            0, [&](double u) { return 4 * phi * u; });
+    BOOST_TEST(certain <= passages);
+    const auto with_limit = [&](double limit) {
+      return free_response(oscillator, {1, 0}, {.half_cycle_limit = limit});
+    };
+    BOOST_CHECK_NO_THROW((void)with_limit(passages + 1));
+    BOOST_CHECK_THROW((void)with_limit(passages), TooManyHalfCycles);
+    if (passages > 1000) {
+      ++many;
+      BOOST_TEST(certain > 0.5 * passages);
+    }
+  }
+  BOOST_TEST(many > 100);
 }
 
 /// Backwards from the rest, X = (X' + (1 + E) phi)/E, and each swing takes pi/omega.

@@ -222,6 +222,11 @@ class ForcedRun {
     }
   }
 
+  /// So many more are allowed.
+  [[nodiscard]] double passages_left() const {
+    return static_cast<double>(most_passages_ - s_.passages);
+  }
+
   /// That many more are certain.
   void require_passages(const Real& more) const {
     const double all = static_cast<double>(s_.passages) + static_cast<double>(more);

@@ -6,6 +6,7 @@
 // that of constant friction, with the edge as its origin: its acceleration knows the friction and
 // the spring.
 
+#include "kernel/certain_passages.hpp"
 #include "kernel/drives.hpp"
 #include "kernel/exact_sum.hpp"
 #include "kernel/forced_state.hpp"
@@ -159,16 +160,24 @@ void slide_in_zone(Run& run, Drive& drive, ExactSum<Real>& left,
 
 /// A motion that W = 0 leaves free, at a turn: refused here if the limit is certain to be exceeded.
 template <class Run>
-void require_few_passages(const Run& run) {
+void require_few_passages(const Run& run, [[maybe_unused]] bool first) {
   const auto& u = run.state().u;
   const auto& notch = run.map().notch;
   using Real = std::decay_t<decltype(u)>;
-  if constexpr (Run::AnyLaw::damped) {
-    return;  // it takes fewer: what damping takes is not counted here
-  }
   const Real end = run.law().farthest_end(u);
-  const Real left = std::max(Real(end * end), notch);
-  run.require_passages(Real((u * u - left) / (notch + run.law().most_taken(u)) - 1));
+  if constexpr (Run::AnyLaw::damped) {
+    if (first) {
+      const auto taken = [&](double of) {
+        return static_cast<double>(run.law().most_taken(Real(of)));
+      };
+      run.require_passages(Real(certain_passages(
+          static_cast<double>(magnitude(u)), static_cast<double>(end), static_cast<double>(notch),
+          static_cast<double>(run.law().zeta()), run.passages_left(), taken)));
+    }
+  } else {
+    const Real left = std::max(Real(end * end), notch);
+    run.require_passages(Real((u * u - left) / (notch + run.law().most_taken(u)) - 1));
+  }
 }
 
 /// W = 0 for good: up to the final rest, or until nothing can slow the mass down any more.
@@ -191,7 +200,7 @@ void slide_to_rest(Run& run, Drive& drive) {
       s.transmitted.slides(s.u, decltype(s.u)(0));
     }
     if (!run.over()) {
-      require_few_passages(run);
+      require_few_passages(run, !set_off_from);
       set_off_from = run.state().u;
       run.set_off_under(drive);
     }
