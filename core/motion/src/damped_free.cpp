@@ -217,10 +217,11 @@ Response response_of(const DampedFree& motion, const DampedEnd& end) {
   response.zero_passages = end.passages;
   const double swings = end.passages + (end.at_zero || swings_back ? 1 : 0);
   response.stop_time = (motion.cycle.swing * swings + end.phase) / motion.p;
-  const double rest = end.at_zero ? 0.0 : swings_back ? -end.excursion : end.peak;
+  const double rest = swings_back ? -end.excursion : end.peak;
   const double pairs = end.passages / 2;
   response.stop_position =
-      (std::floor(pairs) == pairs ? motion.side : -motion.side) * rest / motion.p;
+      end.at_zero ? 0.0
+                  : (std::floor(pairs) == pairs ? motion.side : -motion.side) * rest / motion.p;
   return response;
 }
 

@@ -173,6 +173,15 @@ BOOST_AUTO_TEST_CASE(each_oscillator_has_a_damping_of_its_own) {
   is_identical(extreme, {1});
 }
 
+BOOST_AUTO_TEST_CASE(a_notch_too_weak_for_the_cube_of_a_speed_stops_at_zero_too) {
+  Batch batch = batch_of(70, [] { return Scene<>{0, 1, 1, 0, 1e-300}; });
+  batch.zeta = Eigen::ArrayXd::LinSpaced(70, 0.02, 0.98);
+  is_identical(batch, {1});
+  for (const double time : batch.run({}).stop_time) {
+    BOOST_TEST(std::isfinite(time));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(exact_ties_stop_at_zero) {
   // phi = 7, V0 = 24: r = 25, w^2 = (25 - 21)(25 - 7) = 72, so that delta = 36 takes all of it. A
   // notch one ulp smaller lets it pass. phi = 1, r = 3 for V0^2 = 8 is the tie of the return.

@@ -33,6 +33,22 @@ BOOST_AUTO_TEST_CASE(a_slow_start_against_much_friction_keeps_its_digits) {
   BOOST_TEST(std::abs(*found.stop_time / (v - .3 * v * v) - 1) <= 1e-13);
 }
 
+/// Without friction each swing takes pi/omega, however slow the mass is where the notch stops it.
+BOOST_AUTO_TEST_CASE(the_weakest_notch_stops_a_mass_after_whole_swings) {
+  for (const double zeta : {.01, .05, .9}) {
+    const double swing = pi / std::sqrt((1 - zeta) * (1 + zeta));
+    for (const double delta : {1e-200, 1e-220, 1e-300}) {
+      for (const double v0 : {1.0, -1.0}) {
+        const Response found = free_response(damped(zeta, 0, delta), {0, v0});
+        BOOST_TEST(found.stops_at_zero);
+        BOOST_TEST(!std::signbit(found.stop_position.value()));
+        const double swings = *found.stop_time / swing / *found.half_cycles;
+        BOOST_TEST(std::abs(swings - 1) <= 8 * sixteen_digits);  // a sum of so many parts
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_damped_motion_of_too_many_half_cycles_is_refused_at_once) {
   for (const double little : {1e-10, 1e-300}) {
     for (const double zeta : {1e-10, 1e-300}) {

@@ -139,10 +139,11 @@ struct DampedSwing {
     const T energy = near * near + gained;
     const T speed = root(energy);
     const T both = speed + near;
-    const T y = phi * gained / (both * (phi * (phi + zeta * both) + speed * near));
+    const T none = excursion * 0;
+    const T turned = phi * gained / (both * (phi * (phi + zeta * both) + speed * near));
+    const T y = where_more(phi, none, turned, none);  // without friction a slow one would be 0/0
     const T yy = (1 - zeta) * (1 + zeta) * (y * y);
     const T time = at.time + (y - y * yy * (1.0 / 3 - yy * (1.0 / 5)));
-    const T none = excursion * 0;
     return {where_more(excursion, none, energy, none), where_more(excursion, none, speed, none),
             where_more(excursion, none, time, none)};
   }
