@@ -2,6 +2,7 @@
 #include "record/suite_request.hpp"
 
 #include "record/suite.hpp"
+#include "region/edges.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 
@@ -50,24 +51,27 @@ void keep_below(std::optional<Interval>& range, const std::optional<double>& mos
 constexpr double latest_rest = 20;
 
 /// A notch without a width takes the whole of a hit, and friction holds the mass under a pulse that
-/// must bring it back.
+/// must bring it back. What is searched stays below; a damper to judge may take all of a hit.
 void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
-  const auto bound = [&](std::optional<double>& most, double value, const char* field,
+  const auto bound = [&](std::optional<double>& most, double value, double held, const char* field,
                          const std::optional<Interval>& searched) {
-    most = std::min(most.value_or(HUGE_VAL), below_start * value);
+    most = std::min(most.value_or(HUGE_VAL), value);
     if (searched && searched->low > *most && !request.judges) {
       throw InputError(field, searched->low,
-                       fmt::format("must be less than {} so that the {} {} moves the mass", value,
+                       fmt::format("must be less than {} so that the {} {} moves the mass", held,
                                    load_case.v0 ? "hit of case" : "pulse of case", load_case.name));
     }
   };
   const double part = load_case.weakest > 0 ? load_case.weakest : 1;
   if (load_case.v0 && !request.width) {
     const double v0 = part * *load_case.v0;
-    bound(request.delta_start, v0 * v0 / 2, "delta", request.delta);
+    const double held = v0 * v0 / 2;
+    bound(request.delta_start, request.judges ? largest_delta_of_start(v0) : below_start * held,
+          held, "delta", request.delta);
   }
   if (load_case.pulse && load_case.limits.residual == 0.0) {
-    bound(request.f_start, part * peak_load(*load_case.pulse) / request.breakaway, "f", request.f);
+    const double held = part * peak_load(*load_case.pulse) / request.breakaway;
+    bound(request.f_start, below_start * held, held, "f", request.f);
   }
 }
 

@@ -124,7 +124,7 @@ struct RecordDesignRequest {
   std::optional<Interval> delta{};
   std::optional<double> f_max{};      ///< what can be manufactured: the search goes no farther
   std::optional<double> delta_max{};  ///< the same
-  /// What every damper of a box stays below so that hits and pulses move the mass; found.
+  /// The most with which every damper of a box lets hits and pulses move the mass; found.
   std::optional<double> f_start{};
   std::optional<double> delta_start{};
   SuiteObjective objective{SuiteObjective::acceleration};
