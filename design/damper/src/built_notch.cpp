@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/design/built_notch.hpp>
 
+#include <stillpoint/core/input_error.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -115,6 +117,10 @@ const TriedMotion& largest(const std::vector<TriedMotion>& tried,
 
 BuiltNotch built_notch(const DesignResult& design, const NotchShape& shape) {
   const DesignRequest& request = design.request;
+  if (shape.width) {  // half of it ends a zone of friction
+    require_within("notch-width", *shape.width,
+                   2 * smallest_speed * std::max(1.0, 1 / request.problem.p), largest_speed);
+  }
   const auto& [f, delta, tolerance] = design.finding->point;
   const auto& check = design.finding->pulse;
   TriedMotion shown = check ? TriedMotion{0, check->pulse, check->p}

@@ -75,15 +75,20 @@ void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
   }
 }
 
+/// How long a swing without friction takes.
+double half_turn(double p, double zeta) {
+  return std::numbers::pi / p / std::sqrt((1 - zeta) * (1 + zeta));
+}
+
 /// The largest |x| without a damper.
 double free_peak(const LoadCase& load_case, const RecordDesignRequest& request) {
   const double p = request.p.low;
   const double zeta = request.zeta.low;
-  const double half_turn = std::numbers::pi / p / std::sqrt((1 - zeta) * (1 + zeta));
   double peak = 0;
   for (const CaseMotion& motion : motions_of(load_case)) {
-    const double t_end = load_case.of_records() ? duration(motion.load).value()
-                                                : duration(motion.load).value_or(0) + half_turn;
+    const double t_end = load_case.of_records()
+                             ? duration(motion.load).value()
+                             : duration(motion.load).value_or(0) + half_turn(p, zeta);
     peak = std::max(
         peak, forced_response({p, 0, 0, {}, zeta}, motion.start, motion.load, {.t_end = t_end})
                   .peak_amplitude);
@@ -184,6 +189,19 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
   }
 }
 
+/// Of a notch whose friction is a number, with springs and dampers nearby as well.
+void require_width(const RecordDesignRequest& request) {
+  constexpr double nearby = 1e5;
+  const double least =
+      nearby * std::max(smallest_speed, request.delta->high / largest_speed) / request.p.low;
+  if (request.width->low < least) {
+    throw InputError("notch-width", request.width->low,
+                     fmt::format("must be at least {:.4g}, for a friction of a size that can be "
+                                 "computed with",
+                                 least));
+  }
+}
+
 }  // namespace
 
 bool counts_the_notch(const RecordDesignRequest& request) {
@@ -227,6 +245,11 @@ void require_valid(const RecordDesignRequest& request) {
   }
   if (request.width) {
     require_range("notch-width", *request.width, 1e-150, 1e150);
+  }
+  const double slowest = half_turn(1, request.zeta.low) / largest_speed;
+  if (!(request.p.low >= slowest)) {
+    throw InputError("p", request.p.low,
+                     fmt::format("must be at least {:.4g} where motions are simulated", slowest));
   }
   require_within("scan_points", static_cast<double>(request.scan_points), 1, 1e8);
 }
@@ -276,6 +299,10 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   if (!request.f) {
     request.f = Interval{0, most_friction(request)};
   }
+  if (constexpr double nothing = 1e-290;  // of p: its parts would be too small for a friction
+      request.f->low == 0 && request.f->high < nothing * request.p.low) {
+    request.f->high = 0;
+  }
   require_range("f", *request.f, 0, largest_speed);
   if (!request.delta) {
     request.delta = Interval{0, most_delta(request)};
@@ -290,6 +317,9 @@ RecordDesignRequest completed(RecordDesignRequest request) {
           "acceleration in the notch is not known");
     }
     request.delta = Interval{0, 0};
+  }
+  if (request.width) {
+    require_width(request);
   }
   for (const double p : {request.p.low, request.p.high}) {
     for (const double f : {request.f->low, request.f->high}) {
