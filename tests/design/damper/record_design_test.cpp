@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
     request.tolerance = {{}, {}, {}, {}};
   });
   refused("max-displacement", [](auto& request) { request.objective = SuiteObjective::robust; });
-  refused("jump-max", [](auto& request) { request.cases.front().limits.jump = -1; });
+  refused("jump-max-v", [](auto& request) { request.cases.front().limits.jump = -1; });
   refused("hold", [](auto& request) { request.hold = -1; });
   refused("notch-width", [](auto& request) { request.width = Interval{0, 0}; });
   refused("scan_points", [](auto& request) { request.scan_points = 0; });

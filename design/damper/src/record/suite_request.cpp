@@ -175,7 +175,7 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
   require_limit("beta", limits.peak, smallest_speed);
   require_limit("acceleration-max", limits.acceleration, smallest_speed);
   require_limit("residual", limits.residual, 0);
-  require_limit("jump-max", limits.jump, 0);
+  require_limit("jump-max-v", limits.jump, 0);
   require_limit("arrivals", limits.passages, 0);
   if (request.width && !load_case.of_records() && limits.residual == 0.0) {
     throw InputError("residual", 0.0,
@@ -184,8 +184,8 @@ void require_valid(const LoadCase& load_case, const RecordDesignRequest& request
                                  load_case.name.empty() ? "" : " in the case " + load_case.name));
   }
   if (request.width && limits.jump) {
-    throw InputError("jump-max", *limits.jump,
-                     "is for a notch without a width, which has no jumps");
+    throw InputError("jump-max-v", *limits.jump,
+                     "must be left out where the notch has a width, in which no speed jumps");
   }
 }
 
