@@ -99,7 +99,9 @@ std::optional<design::RecordDesignRequest> simulated_request(
   }
   const auto refuse = [&](Quantity input, const char* instead) {
     if (given(spec, input)) {
-      throw InputError(option_name(input, spec.units), "an input",
+      const auto axis = std::ranges::find(spec.axes, input, &SweepAxis::quantity);
+      throw InputError(option_name(input, spec.units),
+                       axis == spec.axes.end() ? at(input) : axis->axis.ends().high,
                        fmt::format("must be left out with damping or breakaway: {}", instead));
     }
   };
