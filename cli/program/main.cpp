@@ -67,6 +67,9 @@ ExitCode run_command(const Invocation& invocation, Output& output) {
   if (opens && !settings.has("html")) {
     settings.set("html", temporary.emplace().path());
   }
+  if (settings.has("output") || wants_page(settings)) {
+    output.answer_in_file();
+  }
   ExitCode code = exit_done;
   try {
     code = with_places(settings, [&] {

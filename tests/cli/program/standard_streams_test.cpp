@@ -30,9 +30,13 @@ BOOST_AUTO_TEST_CASE(that_are_closed_are_no_files) {
   BOOST_TEST(contents().size() == 2U);
 }
 
+/// An answer that is lost is an error, as on a full disk.
 BOOST_AUTO_TEST_CASE(that_are_closed_take_and_give_nothing) {
-  succeed(design(), {.closed = {1}});
-  succeed("sweep --v0 1 --p 1 --f 0.1 --delta 0.1", {.closed = {1}});
+  for (const Arguments& task :
+       {design(), Arguments("simulate --v0 1 --p 1 --f 0.1 --delta 0.1"),
+        Arguments("sweep --v0 1 --p 1 --f 0.1 --delta 0.1"), Arguments("--version")}) {
+    check_refusal(run(task, {.closed = {1}}), {"standard output: cannot be written"});
+  }
   check_refusal(run("design -", {.closed = {0}}), {"scene"});
 }
 

@@ -64,7 +64,9 @@ void Output::commit() {
   }
   if (std::fwrite(printed_.data(), 1, printed_.size(), stdout) != printed_.size() ||
       std::fflush(stdout) != 0) {
-    refuse_writing("standard", "output", errno);
+    if (errno != EBADF || !answers_in_file_) {
+      refuse_writing("standard", "output", errno);
+    }
   }
   for (File& file : files_) {
     std::error_code error;

@@ -20,6 +20,9 @@ class Output {
 
   void print(std::string_view text) { printed_ += text; }
 
+  /// Standard output may be closed: a file has the answer.
+  void answer_in_file() { answers_in_file_ = true; }
+
   /// Throws FileError, naming the field, if the file cannot be written. No two files may be the
   /// same.
   void write_file(std::string_view field, const std::string& path, std::string_view text);
@@ -38,6 +41,7 @@ class Output {
   void stage(std::string_view field, const std::filesystem::path& target, std::string_view text);
 
   std::string printed_;
+  bool answers_in_file_{false};
   std::vector<File> files_;
 };
 
