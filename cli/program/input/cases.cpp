@@ -84,7 +84,7 @@ double weakest_of(const Settings& settings, std::string_view name) {
   if (range->low < 0 || (range->low > 0 && range->low < design::least_weakest * range->high)) {
     throw InputError(
         std::string(name), fmt::format("{}:{}", range->low, range->high),
-        fmt::format("must begin at 0 or at {} of its end in a case", design::least_weakest));
+        fmt::format("must begin at 0, or at {} of its end or more", design::least_weakest));
   }
   return range->low / range->high;
 }

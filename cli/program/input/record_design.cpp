@@ -166,8 +166,8 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
     request.judges = !request.maps;
     if (request.maps && request.cases.front().weakest == 0) {
       throw InputError(settings.has("pulse") ? "k" : "v0", 0.0,
-                       "must not be where a range begins without a damper to judge: of weaker and "
-                       "weaker hits one moves the mass hardly");
+                       "must be greater than 0 where the range begins, so that the weakest load "
+                       "moves the mass; or give f and delta of a damper to judge");
     }
   }
 }

@@ -129,8 +129,11 @@ std::string off_words(const design::RecordDesign& result) {
 std::string judgement(const RecordDesignReport& report) {
   const design::RecordDesign& result = report.result;
   if (!result.finding) {
-    return "The damper is not admissible: with a damper of its tolerance the mass never comes to "
-           "rest.";
+    const design::RecordDesignRequest& task = result.request;
+    const bool slows = task.f->high > 0 || task.delta->high > 0;
+    return format("The damper is not admissible: {}the mass {}.",
+                  task.tolerance.exact() || !slows ? "" : "with a damper of its tolerance ",
+                  slows ? "moves too long before it rests" : "never comes to rest");
   }
   if (!result.finding->admissible) {
     return format("The damper is not admissible{}: {}.",

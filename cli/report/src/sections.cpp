@@ -103,7 +103,7 @@ void add_works_for(Section& section, const std::optional<design::WorksFor>& serv
     return;
   }
   const auto more = [](const design::ServedInterval& interval) {
-    return interval.ends_search ? " at least" : "";
+    return interval.ends_search ? ", perhaps beyond" : "";
   };
   const auto works = physical ? physical_works_for(physical->scales, *served)
                               : design::PhysicalWorksFor{served->hit, served->p};
