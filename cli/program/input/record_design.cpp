@@ -44,17 +44,20 @@ MotionInput suite_motion(const Settings& settings, const std::vector<GivenCase>&
   return motion;
 }
 
-/// Without any that is asked for there is one only under records, and where it is enlarged.
+/// Without any that is asked for there is one only under records, and where it is enlarged; of the
+/// width only under records.
 design::SuiteTolerance tolerances(const Settings& settings,
                                   const design::RecordDesignRequest& request) {
-  const bool grows =
-      !request.judges && !request.maps && request.objective == design::SuiteObjective::robust;
-  const bool usual = grows || std::ranges::any_of(request.cases, &design::LoadCase::of_records);
+  const bool grows = !request.judges && !request.maps && request.parts.empty() &&
+                     request.objective == design::SuiteObjective::robust;
+  const bool of_records = std::ranges::any_of(request.cases, &design::LoadCase::of_records);
+  const bool usual = grows || of_records;
   design::SuiteTolerance of =
       usual ? design::SuiteTolerance() : design::SuiteTolerance{{}, {}, {}, {}};
   if (const auto all = spread(settings, "tolerance")) {
     of.f = of.delta = of.width = *all;
   }
+  of.width = of_records ? of.width : design::Spread();
   of.f = spread(settings, "tolerance-f").value_or(of.f);
   of.delta = spread(settings, "tolerance-delta").value_or(of.delta);
   of.width = spread(settings, "tolerance-width").value_or(of.width);

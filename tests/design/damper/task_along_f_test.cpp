@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "suites_of_records.hpp"
+#include "damped_task.hpp"
 
 BOOST_AUTO_TEST_SUITE(task_along_f_test)
 
@@ -14,28 +14,6 @@ using namespace stillpoint::design_test;
 constexpr double to_find = 5e-4;
 constexpr double of_mend = 1e-2;
 constexpr double of_tolerance = 1e-4;
-
-/// The closed forms and their limits as a load case with damping.
-RecordDesignRequest as_case(const DesignRequest& exact, const Interval& zeta) {
-  const auto& [problem, limits, options, pulse, ranges] = exact;
-  RecordDesignRequest request = under_hit(zeta, problem.beta);
-  LoadCase& only = request.cases.front();
-  only.v0 = pulse ? std::nullopt : std::optional(problem.v0);
-  only.pulse = pulse;
-  only.weakest = problem.v0_low.value_or(problem.v0) / problem.v0;
-  only.limits.residual = problem.residual.value_or(0);
-  only.limits.passages = static_cast<double>(problem.arrivals - 1);
-  only.limits.acceleration = limits.acceleration_max;
-  request.p = {problem.p, problem.p};
-  request.f_max = limits.f_max;
-  request.delta_max = limits.delta_max;
-  if (limits.tolerance > 0) {
-    const Spread both{limits.tolerance, limits.tolerance};
-    request.tolerance = {both, both, {}, {}};
-    request.requires_tolerance = true;
-  }
-  return request;
-}
 
 DesignRequest drawn(RandomSource& random) {
   DesignRequest request;

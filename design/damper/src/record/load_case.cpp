@@ -125,9 +125,18 @@ double weakest_load(const RecordDesignRequest& request) {
   return std::max(least_weakest, least);
 }
 
+double weakest_part(const LoadCase& load_case, const SuiteDamper& damper) {
+  const double least = std::max(least_weakest, load_case.weakest);
+  if (load_case.weakest > 0 || !load_case.v0 || damper.width > 0) {
+    return least;
+  }
+  constexpr double decided = 1 + 1e-5;  // far enough above the edge for least_suite_margin
+  return std::clamp(std::sqrt(2 * damper.delta) / *load_case.v0 * decided, least, 1.0);
+}
+
 double load_part(const RecordDesignRequest& request, std::size_t in_case,
                  const SuiteDamper& damper) {
-  return load_part(damper.load, std::max(least_weakest, request.cases[in_case].weakest),
+  return load_part(damper.load, weakest_part(request.cases[in_case], damper),
                    weakest_load(request));
 }
 

@@ -10,6 +10,7 @@
 #include "record/suite_served.hpp"
 #include "record/suite_task_search.hpp"
 #include "record/suite_watch.hpp"
+#include "record/task_along_f.hpp"
 
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/core/seconds.hpp>
@@ -139,7 +140,11 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
   const RecordDesignRequest& task = result.request;
   const Suites suites(task);
   if (task.maps) {
-    result.region = feasible_region(suites, task);
+    const auto known = TaskAlongF::of(task);
+    result.region = known ? known->feasible() : std::nullopt;
+    if (!result.region) {
+      result.region = feasible_region(suites, task);
+    }
     return result;
   }
   SuiteWatch watch(go_on);
@@ -166,9 +171,17 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
     result.constraints = constraints_of(task, finding.box.worst);
     result.finding = std::move(finding);
     add_motions(result, suites);
+    if (task.judges || std::ranges::none_of(task.cases, &LoadCase::of_records)) {
+      RecordDesignRequest of_box = task;
+      of_box.tolerance.f = times(task.tolerance.f, chosen->scale);
+      of_box.tolerance.delta = times(task.tolerance.delta, chosen->scale);
+      std::ranges::move(constraints_on(of_box, damper), std::back_inserter(result.constraints));
+    }
     if (task.judges) {
-      std::ranges::move(constraints_on(task, damper), std::back_inserter(result.constraints));
       result.finding->admissible = std::ranges::all_of(result.constraints, &Constraint::satisfied);
+      if (task.tolerance.exact() && !result.finding->admissible) {
+        result.finding->works_for.reset();
+      }
       result.finding->part = result.parts.empty() ? "" : result.parts.front().part.name;
     }
   }

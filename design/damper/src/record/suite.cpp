@@ -37,11 +37,11 @@ Suite::Suite(const LoadCase& load_case, const RecordDesignRequest& request)
       combine_(load_case.combine.value()),
       of_all_{
           .cases = {}, .hold = request.hold, .zeta = request.zeta, .breakaway = request.breakaway},
-      own_weakest_(std::max(least_weakest, load_case.weakest)),
+      load_case_{.v0 = load_case.v0, .weakest = load_case.weakest},
       weakest_(weakest_load(request)) {}
 
 double Suite::part(const SuiteDamper& damper) const {
-  return load_part(damper.load, own_weakest_, weakest_);
+  return load_part(damper.load, weakest_part(load_case_, damper), weakest_);
 }
 
 ForcedResponse Suite::response(const SuiteDamper& damper, const CaseMotion& motion) const {

@@ -81,7 +81,7 @@ class Suite {
   std::vector<CaseMotion> motions_;
   Combine combine_;
   RecordDesignRequest of_all_;  // only what is the same of all dampers
-  double own_weakest_;
+  LoadCase load_case_;          // without its records
   double weakest_;
 };
 

@@ -2,7 +2,9 @@
 #include "record/suite_region.hpp"
 
 #include "record/suite_judge.hpp"
+#include "record/suite_samples.hpp"
 #include "record/suite_space.hpp"
+#include "record/task_along_f.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +17,10 @@ namespace {
 /// Values along each side of a map, each map of what the one before shows.
 constexpr std::size_t values_along = 60;
 constexpr int narrowings = 2;
-/// Values of f of which the feasible delta is told.
-constexpr std::size_t values_told = 61;
+/// Of the box of each where its corners are not known to be the worst.
+constexpr std::size_t samples = 64;
 /// Of a cell of a map, to find an edge in it.
 constexpr int edge_halvings = 24;
-
-/// Evenly from end to end.
-std::vector<double> values_in(const Interval& range, std::size_t count) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < count && (i == 0 || range.low < range.high); ++i) {
-    values.push_back(
-        std::lerp(range.low, range.high, static_cast<double>(i) / static_cast<double>(count - 1)));
-  }
-  return values;
-}
 
 /// The ranges of what is `good` of the values, up to where `is_good` fails.
 template <class Test>
@@ -80,7 +72,8 @@ class FeasibleDampers {
     if (region.f.empty()) {
       return region;
     }
-    for (const double f : values_in({region.f.front().low, region.f.back().high}, values_told)) {
+    for (const double f :
+         values_in({region.f.front().low, region.f.back().high}, told_values_of_f)) {
       const auto is_good = [&](double delta) -> bool { return are_good(f, {delta}).front(); };
       for (const Interval& delta : ranges_of(deltas, are_good(f, deltas), is_good)) {
         region.deltas.push_back({f, delta});
@@ -140,7 +133,7 @@ class FeasibleDampers {
     return good;
   }
 
-  /// The damper and the corners of its box; none where it cannot be built or moved.
+  /// The damper and samples of its box; none where it cannot be built or moved.
   void add_corners(const SuiteDamper& damper, std::vector<SuiteDamper>& all) const {
     if (damper.f + damper.delta == 0 ||
         !std::ranges::all_of(constraints_on(task_, damper), &Constraint::satisfied)) {
@@ -148,13 +141,11 @@ class FeasibleDampers {
     }
     all.push_back(damper);
     const SuiteSpace space(task_, frictions_of(damper));
-    const std::size_t corners = space.toleranced() > 0 ? std::size_t{1} << space.size() : 0;
-    for (std::size_t corner = 0; corner < corners; ++corner) {
-      SuitePlace unit{};
-      for (std::size_t i = 0; i < space.size(); ++i) {
-        unit.at(i) = (corner >> i & 1U) != 0 ? 1 : -1;
+    if (space.toleranced() > 0) {
+      const std::size_t count = space.corners_suffice() ? 0 : samples;  // the corners come first
+      for (const SuitePlace& unit : box_samples(space, count)) {
+        all.push_back(space.off(damper, unit));
       }
-      all.push_back(space.off(damper, unit));
     }
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Which dampers meet every limit, without a search: on maps of f and delta with the corners of each
-// box, whose edges are halved.
+// Which dampers meet every limit: on maps of f and delta with samples of each box, whose edges are
+// halved.
 
 #include "record/suite.hpp"
 

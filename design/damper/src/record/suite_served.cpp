@@ -59,81 +59,130 @@ ServedInterval about(double value, const Keeps& keeps, const Interval& ends) {
   return {value * low, value * high, low == ends.low || high == ends.high};
 }
 
-/// With the least and the most damping.
-std::vector<TaskFigures> figures_of(const Suites& suites, std::vector<SuiteDamper> dampers,
-                                    const RecordDesignRequest& task) {
-  std::vector<TaskFigures> all = suites.figures(dampers, task.threads);
-  if (task.zeta.low < task.zeta.high) {
-    for (SuiteDamper& damper : dampers) {
-      damper.damping = 1;
-    }
-    std::ranges::transform(all, suites.figures(dampers, task.threads), all.begin(),
-                           [](const auto& a, const auto& b) { return worse(a, b); });
+/// Evenly from end to end.
+std::vector<double> through(const Interval& range) {
+  constexpr int steps = 4;
+  std::vector<double> values{range.low};
+  for (int i = 1; i <= steps && range.low < range.high; ++i) {
+    values.push_back(std::lerp(range.low, range.high, static_cast<double>(i) / steps));
   }
-  return all;
+  return values;
 }
 
-/// Whether the loads that must move the mass do.
-bool starts(const RecordDesignRequest& task, const SuiteDamper& damper) {
+/// What varies beside what is looked for: parts of the load, springs, or none of them.
+struct Beside {
+  Interval loads{1, 1};
+  Spread spring{};
+};
+
+/// Whether the loads that must move the mass do, for a damper relative to that factor of them.
+bool starts(const RecordDesignRequest& task, const SuiteDamper& damper, double factor) {
   return damper.f <= task.f_start.value_or(HUGE_VAL) &&
-         damper.f <= most_in_dead_zone(task, damper.p) &&
+         damper.f * factor <= most_in_dead_zone(task, damper.p) &&
          damper.delta <= task.delta_start.value_or(HUGE_VAL);
 }
+
+class Serves {
+ public:
+  Serves(const RecordDesignRequest& request, const SuiteDamper& damper)
+      : task_(of_one_load(request)), suites_(task_), limits_(limits_of(task_)), damper_(damper) {}
+
+  /// At each factor of the loads and of the spring, with all that varies beside.
+  [[nodiscard]] std::vector<bool> keeps(const Factors& loads, const Factors& springs,
+                                        const Beside& beside) const {
+    std::vector<SuiteDamper> dampers;
+    std::vector<double> factors;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      for (const double part : through(beside.loads)) {
+        for (const double spring :
+             through({1 / (1 + beside.spring.above), 1 / (1 - beside.spring.below)})) {
+          for (const double damping : through({0, task_.zeta.low < task_.zeta.high ? 1.0 : 0.0})) {
+            SuiteDamper now = damper_;
+            now.p *= springs[i] * spring;
+            now.damping = damping;
+            dampers.push_back(relative_to(now, loads[i] * part));
+            factors.push_back(loads[i] * part);
+          }
+        }
+      }
+    }
+    const std::vector<TaskFigures> all = figures(dampers, factors);
+    const std::size_t each = all.size() / loads.size();
+    std::vector<bool> result;
+    for (std::size_t i = 0; i < all.size(); i += each) {
+      bool kept = true;
+      for (std::size_t k = i; k < i + each; ++k) {
+        kept = kept &&
+               (starts(task_, dampers[k], factors[k]) ? admissible(all[k], limits_) : lets_rest_);
+      }
+      result.push_back(kept);
+    }
+    return result;
+  }
+
+  [[nodiscard]] const RecordDesignRequest& task() const { return task_; }
+  /// Every load down to nothing is one of the task, of which it holds some.
+  void let_rest() { lets_rest_ = true; }
+
+ private:
+  static RecordDesignRequest of_one_load(RecordDesignRequest task) {
+    task.judges = true;
+    for (LoadCase& each : task.cases) {
+      each.weakest = 1;
+    }
+    bound_starts(task);
+    return task;
+  }
+
+  /// Of the loads times the factors. What a notch holds is not relative to them.
+  [[nodiscard]] std::vector<TaskFigures> figures(const std::vector<SuiteDamper>& dampers,
+                                                 const Factors& factors) const {
+    std::vector<TaskFigures> all;
+    if (!task_.hold) {
+      all = suites_.figures(dampers, task_.threads);
+    }
+    for (std::size_t i = 0; i < dampers.size(); ++i) {
+      if (task_.hold) {
+        SuiteDamper own = dampers[i];
+        all.push_back(
+            Suites(enlarged(task_, factors[i])).figures(relative_to(own, 1 / factors[i])));
+      } else {
+        for (SuiteFigures& one : all[i]) {
+          one = times(one, factors[i]);
+        }
+      }
+    }
+    return all;
+  }
+
+  RecordDesignRequest task_;
+  Suites suites_;
+  std::vector<SuiteLimits> limits_;
+  SuiteDamper damper_;
+  bool lets_rest_{false};
+};
 
 }  // namespace
 
 std::optional<WorksFor> works_for(const RecordDesignRequest& request, const SuiteDamper& damper) {
-  RecordDesignRequest task = request;  // of one load each, where it has ranges
-  task.judges = true;
-  for (LoadCase& each : task.cases) {
-    each.weakest = 1;
+  Serves serves(request, damper);
+  const bool alone = request.cases.size() == 1;
+  const bool to_nothing = alone && request.cases.front().weakest == 0;
+  const Interval loads_of_task{alone ? std::max(least_weakest, request.cases.front().weakest) : 1,
+                               1};
+  if (to_nothing) {
+    serves.let_rest();
   }
-  bound_starts(task);
-  const Suites suites(task);
-  const std::vector<SuiteLimits> limits = limits_of(task);
-  if (!starts(task, damper) || !admissible(figures_of(suites, {damper}, task).front(), limits)) {
+  if (!serves.keeps({1}, {1}, {loads_of_task, request.spring}).front()) {
     return std::nullopt;
   }
-  const auto kept = [&](const std::vector<SuiteDamper>& dampers,
-                        const std::vector<TaskFigures>& all) {
-    std::vector<bool> result;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      result.push_back(starts(task, dampers[i]) && admissible(all[i], limits));
-    }
-    return result;
-  };
   const auto of_loads = [&](const Factors& factors) {
-    std::vector<SuiteDamper> dampers;
-    for (const double factor : factors) {
-      dampers.push_back(relative_to(damper, factor));
-    }
-    std::vector<TaskFigures> all = figures_of(suites, dampers, task);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (SuiteFigures& figures : all[i]) {
-        figures = times(figures, factors[i]);
-      }
-    }
-    return kept(dampers, all);
-  };
-  // What a notch holds is not relative to the load.
-  const auto of_held = [&](const Factors& factors) {
-    std::vector<SuiteDamper> dampers;
-    std::vector<TaskFigures> all;
-    for (const double factor : factors) {
-      dampers.push_back(relative_to(damper, factor));
-      all.push_back(figures_of(Suites(enlarged(task, factor)), {damper}, task).front());
-    }
-    return kept(dampers, all);
+    return serves.keeps(factors, Factors(factors.size(), 1), {{1, 1}, request.spring});
   };
   const auto of_springs = [&](const Factors& factors) {
-    std::vector<SuiteDamper> dampers;
-    for (const double factor : factors) {
-      dampers.push_back({factor * damper.p, damper.f, damper.delta, damper.width});
-    }
-    return kept(dampers, figures_of(suites, dampers, task));
+    return serves.keeps(Factors(factors.size(), 1), factors, {loads_of_task, {}});
   };
-  const LoadCase& load = task.cases.front();
-  const bool alone = task.cases.size() == 1;
+  const LoadCase& load = request.cases.front();
   const ServedLoad of = alone && load.v0      ? ServedLoad::v0
                         : alone && load.pulse ? ServedLoad::k
                                               : ServedLoad::scale;
@@ -142,8 +191,12 @@ std::optional<WorksFor> works_for(const RecordDesignRequest& request, const Suit
                                              : 1;
   constexpr Interval loads{0.1, 10};
   constexpr Interval springs{0.5, 2};
-  return WorksFor{about(value, task.hold ? Keeps(of_held) : Keeps(of_loads), loads),
-                  about(damper.p, of_springs, springs), of};
+  WorksFor found{about(value, of_loads, loads), about(damper.p, of_springs, springs), of};
+  if (to_nothing && found.hit.low <= value * loads.low) {
+    found.hit.low = 0;
+    found.hit.ends_search = *found.hit.high >= value * loads.high;
+  }
+  return found;
 }
 
 }  // namespace stillpoint::design

@@ -187,11 +187,16 @@ class TaskSearch {
     result_.search.scan->feasible += map.admissible(goal);
   }
 
-  /// Of a task that asks for none: why there is no damper at all, or one that must be exact.
-  std::optional<ChosenBox> without_tolerance() {
+  [[nodiscard]] RecordDesign without_errors() const {
     RecordDesign exact;
     exact.request = task_;
     exact.request.tolerance = {{}, {}, {}, {}};
+    return exact;
+  }
+
+  /// Of a task that asks for none: why there is no damper at all, or one that must be exact.
+  std::optional<ChosenBox> without_tolerance() {
+    RecordDesign exact = without_errors();
     std::optional<ChosenBox> found = TaskSearch(suite_, exact, watch_).within_tolerance();
     result_ = std::move(exact);
     return found;
@@ -415,9 +420,17 @@ class TaskSearch {
     }
   }
 
-  /// The front of stroke and acceleration, from the least stroke to the least acceleration.
+  /// The front of stroke and acceleration, from the least stroke to the least acceleration: of
+  /// dampers without an error where only the largest box is asked for.
   void trade_off() {
     if (task_.trade_offs == 0) {
+      return;
+    }
+    if (task_.objective == SuiteObjective::robust && !task_.requires_tolerance &&
+        !task_.tolerance.exact() && std::ranges::none_of(task_.cases, &LoadCase::of_records)) {
+      RecordDesign exact = without_errors();
+      TaskSearch(suite_, exact, watch_).trade_off();
+      result_.trade_off = std::move(exact.trade_off);
       return;
     }
     map_all();

@@ -6,6 +6,7 @@
 
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
+#include <stillpoint/design/strips.hpp>
 
 #include <algorithm>
 #include <array>
@@ -48,22 +49,37 @@ bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
                  : stops_at_once(only) && only.weakest > 0 && task.zeta.low == task.zeta.high;
 }
 
+/// Breakaway friction holds no mass whose turn is far enough off to come back to x = 0, which is at
+/// 2 f/p^2 at least: (D16).
+bool slides_off(const RecordDesignRequest& task, const LoadCase& only) {
+  constexpr double most = 2;
+  return task.breakaway == 1 || (task.breakaway <= most && only.v0 && only.limits.residual == 0.0);
+}
+
 bool is_along_f(const RecordDesignRequest& task) {
   const LoadCase& only = task.cases.front();
   const SuiteLimits& limits = only.limits;
   const Spread& period = task.tolerance.period;
   return task.cases.size() == 1 && !only.of_records() && limits.peak && is_known(task, only) &&
          !limits.jump && !limits.stop_time && !limits.late && task.p.low == task.p.high &&
-         !task.hold && !task.width && task.breakaway == 1 && period.below + period.above == 0;
+         !task.hold && !task.width && slides_off(task, only) && period.below + period.above == 0;
 }
 
 }  // namespace
 
+std::vector<double> values_in(const Interval& range, std::size_t count) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count && (i == 0 || range.low < range.high); ++i) {
+    values.push_back(
+        std::lerp(range.low, range.high, static_cast<double>(i) / static_cast<double>(count - 1)));
+  }
+  return values;
+}
+
 std::optional<TaskAlongF> TaskAlongF::of(const RecordDesignRequest& task) {
   const auto* const objective =
       std::ranges::find(objectives, task.objective, [](const auto& row) { return row.first; });
-  if (task.judges || task.maps || objective == objectives.end() || !is_along_f(task) ||
-      !searches_all(task)) {
+  if (task.judges || objective == objectives.end() || !is_along_f(task) || !searches_all(task)) {
     return std::nullopt;
   }
   const LoadCase& only = task.cases.front();
@@ -127,6 +143,30 @@ std::optional<DamperAlongF> TaskAlongF::best() const {
   return point ? std::optional(DamperAlongF{{.p = p_, .f = point->f, .delta = point->delta},
                                             whole_ > 0 ? point->tolerance / whole_ : 1})
                : std::nullopt;
+}
+
+std::optional<FeasibleRegion> TaskAlongF::feasible() const {
+  const auto* const hit = std::get_if<Problem>(&problem_);
+  if (hit == nullptr) {
+    return std::nullopt;
+  }
+  const std::vector<Strip> all = strips(*hit, limits_);
+  FeasibleRegion region{feasible_f(all), {}};
+  if (region.f.empty()) {
+    return region;
+  }
+  for (const double f : values_in({region.f.front().low, region.f.back().high}, told_values_of_f)) {
+    std::vector<Interval> deltas;
+    for (const Strip& strip : all) {
+      if (const auto delta = feasible_delta(*hit, limits_, strip.arrival, f)) {
+        deltas.push_back(*delta);
+      }
+    }
+    for (const Interval& delta : merged(std::move(deltas))) {
+      region.deltas.push_back({f, delta});
+    }
+  }
+  return region;
 }
 
 std::vector<Mend> TaskAlongF::mends(double room) const {

@@ -4,9 +4,11 @@
 // A task of one hit, or of one pulse at whose first return every damper must stop: its best damper
 // and what would help are found along f, docs/theory.md sections 8 and 12.
 
+#include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -19,6 +21,11 @@ struct DamperAlongF {
   double scale{1};
 };
 
+/// Values of f of which the feasible delta is told.
+inline constexpr std::size_t told_values_of_f = 61;
+/// Evenly from end to end.
+[[nodiscard]] std::vector<double> values_in(const Interval& range, std::size_t count);
+
 class TaskAlongF {
  public:
   /// Empty if a completed request is another task.
@@ -26,6 +33,8 @@ class TaskAlongF {
 
   /// The best for the objective, with the tolerance that is required; empty if there is none.
   [[nodiscard]] std::optional<DamperAlongF> best() const;
+  /// Every damper for a hit; empty for a pulse.
+  [[nodiscard]] std::optional<FeasibleRegion> feasible() const;
   /// Each that would help alone. It leaves that room, of the tolerance and as a part of the limits:
   /// of a single damper the box could not be verified.
   [[nodiscard]] std::vector<Mend> mends(double room) const;

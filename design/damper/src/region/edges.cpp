@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "region/edges.hpp"
 
+#include "falling_root.hpp"
 #include "region/limit_table.hpp"
 #include "unit_problem.hpp"
-#include "way/room.hpp"
 #include "way/unit_strip.hpp"
 #include "wide.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "region/limit_table.hpp"
 
-#include "way/room.hpp"
+#include "falling_root.hpp"
 #include "way/unit_strip.hpp"
 #include "wide.hpp"
 

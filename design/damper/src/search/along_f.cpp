@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "falling_root.hpp"
 #include "search/best_point.hpp"
 #include "search/objectives.hpp"
 #include "unit_problem.hpp"

@@ -3,6 +3,7 @@
 // centre, so a box lies in one of them, and the best of all is the best of one: docs/theory.md
 // sections 8, 12 and 13.
 
+#include "falling_root.hpp"
 #include "search/best_point.hpp"
 #include "search/nlopt_fence.hpp"
 #include "search/objectives.hpp"

@@ -3,7 +3,7 @@
 //
 //   phi   f/p                        turn  of the mass, from the centre of its force: X + phi
 //   s, w  speeds at x = 0            grown exp(2 zeta T), T the time of that quarter of a cycle
-#include "way/damped_back.hpp"
+#include "way/unit_strip.hpp"
 
 #include <stillpoint/core/elementary.hpp>
 

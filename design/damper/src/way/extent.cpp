@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "way/extent.hpp"
 
+#include "falling_root.hpp"
 #include "region/edges.hpp"
 #include "way/highest.hpp"
 #include "way/room.hpp"

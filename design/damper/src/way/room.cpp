@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "way/room.hpp"
 
+#include "falling_root.hpp"
 #include "region/edges.hpp"
 
 #include <algorithm>

@@ -7,9 +7,6 @@
 
 #include <stillpoint/design/problem.hpp>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
-#include <cstdint>
 #include <optional>
 
 namespace stillpoint::design {
@@ -43,15 +40,5 @@ enum class BestDelta { most_tolerant, least, middle, largest };
 [[nodiscard]] double best_delta(const Way& way, double f, BestDelta choice);
 /// The most tolerant one.
 [[nodiscard]] DesignPoint with_best_delta(const Way& way, double f);
-
-/// The zero of a decreasing function.
-template <class F>
-double falling_root(const F& function, double low, double high, double at_low, double at_high) {
-  std::uintmax_t most_evaluations = 100;
-  return boost::math::tools::toms748_solve(function, low, high, at_low, at_high,
-                                           boost::math::tools::eps_tolerance<double>(),
-                                           most_evaluations)
-      .first;
-}
 
 }  // namespace stillpoint::design

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "way/unit_strip.hpp"
 
-#include "way/damped_back.hpp"
-
 #include <stillpoint/core/elementary.hpp>
 
 #include <algorithm>

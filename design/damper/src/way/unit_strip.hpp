@@ -25,6 +25,7 @@ struct EdgeStart {
 
 /// (39), with damping (D20): `steps` half-cycles back from the start, then to V0.
 [[nodiscard]] EdgeSpeed followed_back(const EdgeStart& start, int steps, double d);
+[[nodiscard]] EdgeSpeed damped_back(const EdgeStart& start, int steps, double d);  ///< zeta > 0
 
 /// exp(pi zeta / omega): by that much a turn is farther from the centre of its force than the next.
 [[nodiscard]] double shrinks_by(double zeta);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "way/way.hpp"
 
+#include "falling_root.hpp"
 #include "region/edges.hpp"
 #include "unit_problem.hpp"
-#include "way/room.hpp"
 #include "wide.hpp"
 
 #include <algorithm>

@@ -191,6 +191,9 @@ using EachFigures = std::span<const SuiteFigures>;  ///< the same where they lie
 /// The worst of each figure in all cases.
 [[nodiscard]] SuiteFigures largest(EachFigures figures);
 
+/// The least part of its strongest load that must come back with a damper: of every hit down to
+/// nothing the weakest that its notch lets go.
+[[nodiscard]] double weakest_part(const LoadCase& load_case, const SuiteDamper& damper);
 /// The part of its strongest load that a case has with a damper.
 [[nodiscard]] double load_part(const RecordDesignRequest& request, std::size_t in_case,
                                const SuiteDamper& damper);
