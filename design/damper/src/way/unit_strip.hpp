@@ -23,7 +23,7 @@ struct EdgeStart {
   double zeta{0};
 };
 
-/// (39), with damping (D20): `steps` half-cycles back from the start, then to V0.
+/// (39), with damping (D21): `steps` half-cycles back from the start, then to V0.
 [[nodiscard]] EdgeSpeed followed_back(const EdgeStart& start, int steps, double d);
 [[nodiscard]] EdgeSpeed damped_back(const EdgeStart& start, int steps, double d);  ///< zeta > 0
 
