@@ -110,7 +110,7 @@ ExitCode answer(const Invocation& invocation, Output& output) {
 
 int run_program(int argc, const char* const* argv) {
   try {
-    open_closed_streams();
+    open_closed_streams(true);
     outlive_failed_writes();
     if (argc <= 1) {
       write_error(short_help());

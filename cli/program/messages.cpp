@@ -65,11 +65,10 @@ void remark(const std::string& text) {
   }
 }
 
-void open_closed_streams() {
+void open_closed_streams(bool output_is_lost) {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // A file gets the lowest number that is free: that of this stream. What
-    // is printed without a standard output is an error.
-    const int use = stream == STDOUT_FILENO ? O_RDONLY : O_RDWR;
+    // A file gets the lowest number that is free: that of this stream.
+    const int use = stream == STDOUT_FILENO && output_is_lost ? O_RDONLY : O_RDWR;
     if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", use) < 0) {
       throw std::system_error(errno, std::generic_category(), "/dev/null");
     }

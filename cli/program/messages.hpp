@@ -24,8 +24,9 @@ void say(const std::string& text);
 void remark(const std::string& text);
 
 /// Puts /dev/null in place of each standard stream that is closed, so that no file gets its number
-/// and the messages that go there. Throws std::system_error without a /dev/null.
-void open_closed_streams();
+/// and the messages that go there; if `output_is_lost`, one that cannot be written for standard
+/// output. Throws std::system_error without a /dev/null.
+void open_closed_streams(bool output_is_lost = false);
 
 /// From now on a write that finds a full disk or nobody who reads is an error, after which nothing
 /// is left behind, instead of the end of the program.

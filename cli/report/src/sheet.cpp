@@ -90,9 +90,13 @@ std::optional<std::string> sheet(const RecordDesignReport& report, const SheetFr
   for (std::size_t c = 0; c < task.cases.size(); ++c) {
     const design::LoadCase& load_case = task.cases[c];
     const design::CaseMotion motion = motions_of(load_case)[answer.cases[c].duty->index];
-    const auto limit = governing(result, c);
+    const auto of_case = governing(result, c);
+    const design::Constraint* const limit = task.cases.size() == 1
+                                                ? design::governing(result.constraints)
+                                            : of_case ? &of_case->constraint
+                                                      : nullptr;
     cases.push_back({answer.cases[c], scaled_name(motion.name, motion.scale), load_case.limits.peak,
-                     governing_words(limit ? &limit->constraint : nullptr, report.physical),
+                     governing_words(limit, report.physical),
                      motion_of(task, finding->point.damper, motion)});
   }
   return body(

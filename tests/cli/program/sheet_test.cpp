@@ -105,4 +105,9 @@ BOOST_AUTO_TEST_CASE(of_cases_has_a_row_for_each_and_what_governs) {
   BOOST_TEST(contains(sheet, "<svg"));
 }
 
+BOOST_AUTO_TEST_CASE(of_one_case_says_what_bounds_the_damper_itself) {
+  succeed("design --v0 1 --p 1 --beta 5 --damping 5% --delta-max 0.1 --sheet sheet.html");
+  check_told(read("sheet.html"), "Limits", {"|start|Δ ≤ 0.499999|", "|governs|Δ ≤ 0.1, "});
+}
+
 BOOST_AUTO_TEST_SUITE_END()
