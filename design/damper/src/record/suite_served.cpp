@@ -3,6 +3,7 @@
 
 #include "record/suite_outlook.hpp"
 #include "record/suite_request.hpp"
+#include "record/task_along_f.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -165,6 +166,9 @@ class Serves {
 }  // namespace
 
 std::optional<WorksFor> works_for(const RecordDesignRequest& request, const SuiteDamper& damper) {
+  if (auto known = TaskAlongF::works_for(request, damper)) {
+    return known;
+  }
   Serves serves(request, damper);
   const bool alone = request.cases.size() == 1;
   const bool to_nothing = alone && request.cases.front().weakest == 0;

@@ -71,6 +71,10 @@ class TaskSearch {
       trade_off();
       return ChosenBox{*known, 1};
     }
+    if (is_hopeless_along_f()) {
+      tell_why_on_maps(goal);
+      return std::nullopt;
+    }
     std::optional<VerifiedBox> best;
     expect();
     for (const SuiteFrictions frictions : every_friction) {
@@ -118,11 +122,7 @@ class TaskSearch {
     }
     if (!best || (task_.requires_tolerance && best->scale < whole)) {
       const SuiteGoal goal{minimised(task_).value, task_.objective_case, limits_of(task_)};
-      map_all();
-      for (Mapped& here : maps_) {
-        here.scan.look(goal, HUGE_VAL);
-      }
-      tell_why(goal);
+      tell_why_on_maps(goal);
       return std::nullopt;
     }
     trade_off();
@@ -132,19 +132,32 @@ class TaskSearch {
  private:
   /// The best where it is known along f, unless its box fails.
   std::optional<VerifiedBox> best_along_f(const SuiteGoal& goal) {
-    const SuiteSpace space(task_, SuiteFrictions::both);
-    if (!known_ || !space.possible()) {
+    if (!known_) {
       return std::nullopt;
     }
-    const SuiteDamper near = space.nearest(known_->damper);
-    if (near.f > known_->damper.f) {  // none at all may be better
-      return std::nullopt;
+    const SuiteSpace whole(task_, SuiteFrictions::both);
+    for (SuiteDamper damper : along_f_->from_best()) {
+      if (whole.possible() && whole.nearest(damper).f > damper.f) {
+        damper.f = 0;  // so little is none
+      }
+      const SuiteSpace space(task_, frictions_of(damper));
+      if (!space.possible()) {
+        continue;
+      }
+      SuiteSearch search(suite_, task_, space, goal, watch_);
+      if (auto box =
+              search.verified({search.polished({space.nearest(damper), {}, {}}, known_step)})) {
+        return box;
+      }
     }
-    SuiteSearch search(suite_, task_, space, goal, watch_);
-    return search.verified({search.polished({near, {}, {}}, known_step)});
+    return std::nullopt;
   }
 
-  [[nodiscard]] bool is_hopeless_along_f() const { return along_f_ && !known_; }
+  /// Of a hit also where the best leaves no room to verify it: between the strips that are known a
+  /// map may miss the motions that fail.
+  [[nodiscard]] bool is_hopeless_along_f() const {
+    return along_f_ && (!known_ || along_f_->of_hit());
+  }
 
   std::optional<LargestBox> largest_along_f() {
     auto best =
@@ -254,6 +267,14 @@ class TaskSearch {
       largest(hardly_smaller);
     }
     return box;
+  }
+
+  void tell_why_on_maps(const SuiteGoal& goal) {
+    map_all();
+    for (Mapped& here : maps_) {
+      here.scan.look(goal, HUGE_VAL);
+    }
+    tell_why(goal);
   }
 
   /// The box that violates the limits least, and each limit that would do.

@@ -3,6 +3,8 @@
 
 #include "pulse/region.hpp"
 #include "record/suite_request.hpp"
+#include "way/room.hpp"
+#include "way/way.hpp"
 
 #include <stillpoint/design/region.hpp>
 #include <stillpoint/design/search.hpp>
@@ -43,9 +45,9 @@ bool stops_at_once(const LoadCase& only) {
 /// spring does not vary; the time to rest has no closed bound with damping.
 bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
   const bool varies = task.spring.above + task.spring.below > 0;
-  return only.v0 ? only.limits.residual && only.limits.passages < most_arrivals &&
-                       (only.limits.residual == 0.0 || !varies) &&
-                       task.objective != SuiteObjective::time
+  constexpr double passages = 15;  // each as costly as all before it
+  return only.v0 ? only.limits.residual && only.limits.passages <= passages &&
+                       (only.limits.residual == 0.0 || !varies)
                  : stops_at_once(only) && only.weakest > 0 && task.zeta.low == task.zeta.high;
 }
 
@@ -79,9 +81,19 @@ std::vector<double> values_in(const Interval& range, std::size_t count) {
 std::optional<TaskAlongF> TaskAlongF::of(const RecordDesignRequest& task) {
   const auto* const objective =
       std::ranges::find(objectives, task.objective, [](const auto& row) { return row.first; });
-  if (task.judges || objective == objectives.end() || !is_along_f(task) || !searches_all(task)) {
+  if (task.judges || objective == objectives.end() || !is_along_f(task) || !searches_all(task) ||
+      (task.cases.front().v0 && objective->second == Objective::time)) {
     return std::nullopt;
   }
+  TaskAlongF known = posed(task);
+  known.objective_ = objective->second;
+  if (known.objective_ == Objective::robust && !task.requires_tolerance) {
+    known.limits_.tolerance = 0;
+  }
+  return known;
+}
+
+TaskAlongF TaskAlongF::posed(const RecordDesignRequest& task) {
   const LoadCase& only = task.cases.front();
   const double softest = task.p.low / (1 + task.spring.above);
   const std::optional<double> stiffest = task.spring.above + task.spring.below > 0
@@ -92,7 +104,6 @@ std::optional<TaskAlongF> TaskAlongF::of(const RecordDesignRequest& task) {
   };
   TaskAlongF known;
   known.p_ = task.p.low;
-  known.objective_ = objective->second;
   Limits& limits = known.limits_;
   limits.f_max = task.f_max;
   limits.delta_max = task.delta_max;
@@ -103,7 +114,7 @@ std::optional<TaskAlongF> TaskAlongF::of(const RecordDesignRequest& task) {
   }
   known.whole_ = limits.tolerance;
   if (only.v0) {
-    Problem& hit = known.problem_.emplace<Problem>();
+    auto& hit = known.problem_.emplace<Problem>();
     hit = {*only.v0, softest, *only.limits.peak, Criterion::exact};
     hit.arrivals = static_cast<std::int64_t>(*only.limits.passages) + 1;
     hit.v0_low = weakest_of(*only.v0);
@@ -111,7 +122,7 @@ std::optional<TaskAlongF> TaskAlongF::of(const RecordDesignRequest& task) {
     hit.residual = only.limits.residual > 0.0 ? only.limits.residual : std::nullopt;
     hit.zeta = task.zeta;
   } else {
-    PulseProblem& pulse = known.problem_.emplace<PulseProblem>();
+    auto& pulse = known.problem_.emplace<PulseProblem>();
     pulse = {*only.pulse, softest, *only.limits.peak, Criterion::exact};
     pulse.ranges.k_low = weakest_of(peak_load(pulse.pulse));
     pulse.p_high = stiffest;
@@ -122,24 +133,62 @@ std::optional<TaskAlongF> TaskAlongF::of(const RecordDesignRequest& task) {
       known.bounds_delta_itself_ = true;
     }
   }
-  if (task.objective == SuiteObjective::robust && !task.requires_tolerance) {
-    limits.tolerance = 0;
-  }
   return known;
 }
 
-std::optional<DamperAlongF> TaskAlongF::best() const {
-  std::optional<DesignPoint> point;
-  if (const auto* const hit = std::get_if<Problem>(&problem_)) {
-    if (const auto found = search(*hit, limits_, {.objective = objective_})) {
-      point = found->point;
-    }
-  } else {
+std::optional<WorksFor> TaskAlongF::works_for(const RecordDesignRequest& task,
+                                              const SuiteDamper& damper) {
+  if (!is_along_f(task) || !task.cases.front().v0) {
+    return std::nullopt;
+  }
+  const TaskAlongF known = posed(task);
+  Limits limits = known.limits_;
+  limits.tolerance = 0;
+  return design::works_for(std::get<Problem>(known.problem_), limits, damper.f, damper.delta);
+}
+
+std::optional<DesignPoint> TaskAlongF::without_friction() const {
+  const Problem& hit = std::get<Problem>(problem_);
+  if (hit.arrivals == 1) {
+    return std::nullopt;
+  }
+  const DesignPoint point = with_best_delta(Way(hit, limits_, 0), 0);
+  return point.tolerance > 0 && point.tolerance >= limits_.tolerance ? std::optional(point)
+                                                                     : std::nullopt;
+}
+
+std::optional<DesignPoint> TaskAlongF::searched(Objective objective) const {
+  const auto* const hit = std::get_if<Problem>(&problem_);
+  if (hit == nullptr) {
     const PulseRegion region(std::get<PulseProblem>(problem_), limits_);
-    if (const auto optimum = search(region, {.objective = objective_})) {
-      point = region.in_units(optimum->found.point);
+    const auto optimum = search(region, {.objective = objective});
+    return optimum ? std::optional(region.in_units(optimum->found.point)) : std::nullopt;
+  }
+  const auto found = search(*hit, limits_, {.objective = objective});
+  const auto still = without_friction();
+  const bool is_better =
+      still && (!found || objective == Objective::acceleration ||
+                (objective == Objective::robust && still->tolerance > found->point.tolerance));
+  return is_better ? still : found ? std::optional(found->point) : std::nullopt;
+}
+
+std::vector<SuiteDamper> TaskAlongF::from_best() const {
+  constexpr std::array parts{0.0, 1e-3, 1e-2, 0.05, 0.2, 0.5, 1.0};
+  const auto from = searched(objective_);
+  const auto to = objective_ == Objective::robust ? from : searched(Objective::robust);
+  std::vector<SuiteDamper> list;
+  for (const double part : parts) {
+    if (from && to && (part == 0 || objective_ != Objective::robust)) {
+      list.push_back({.p = p_,
+                      .f = std::lerp(from->f, to->f, part),
+                      .delta = std::lerp(from->delta, to->delta, part)});
     }
   }
+  return list;
+}
+
+std::optional<DamperAlongF> TaskAlongF::best() const {
+  const auto point = searched(objective_);
   return point ? std::optional(DamperAlongF{{.p = p_, .f = point->f, .delta = point->delta},
                                             whole_ > 0 ? point->tolerance / whole_ : 1})
                : std::nullopt;
@@ -151,14 +200,28 @@ std::optional<FeasibleRegion> TaskAlongF::feasible() const {
     return std::nullopt;
   }
   const std::vector<Strip> all = strips(*hit, limits_);
-  FeasibleRegion region{feasible_f(all), {}};
-  if (region.f.empty()) {
+  const std::vector<Interval> of_strips = feasible_f(all);
+  FeasibleRegion region{of_strips, {}};
+  if (without_friction()) {
+    const auto delta = centre_range(Way(*hit, limits_, 0), 0, limits_.tolerance).value();
+    const double unit = hit->v0 * hit->v0;
+    region.deltas.push_back({0, {delta.low * unit, delta.high * unit}});
+    if (region.f.empty() || region.f.front().low > 0) {
+      region.f.insert(region.f.begin(), {0, 0});
+    }
+  }
+  if (of_strips.empty()) {
     return region;
   }
-  for (const double f : values_in({region.f.front().low, region.f.back().high}, told_values_of_f)) {
+  for (const double f :
+       values_in({of_strips.front().low, of_strips.back().high}, told_values_of_f)) {
     std::vector<Interval> deltas;
+    if (f == 0 && !region.deltas.empty()) {
+      continue;  // told already
+    }
     for (const Strip& strip : all) {
-      if (const auto delta = feasible_delta(*hit, limits_, strip.arrival, f)) {
+      const auto delta = feasible_delta(*hit, limits_, strip.arrival, f);
+      if (delta && delta->low < delta->high) {
         deltas.push_back(*delta);
       }
     }

@@ -7,6 +7,7 @@
 #include <stillpoint/design/record_design_result.hpp>
 #include <stillpoint/design/region_result.hpp>
 #include <stillpoint/design/suite_task.hpp>
+#include <stillpoint/design/works_for.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -30,9 +31,16 @@ class TaskAlongF {
  public:
   /// Empty if a completed request is another task.
   [[nodiscard]] static std::optional<TaskAlongF> of(const RecordDesignRequest& task);
+  /// What a damper for a hit works for; empty if the request is another task or the damper fails.
+  [[nodiscard]] static std::optional<WorksFor> works_for(const RecordDesignRequest& task,
+                                                         const SuiteDamper& damper);
+
+  [[nodiscard]] bool of_hit() const { return std::holds_alternative<Problem>(problem_); }
 
   /// The best for the objective, with the tolerance that is required; empty if there is none.
   [[nodiscard]] std::optional<DamperAlongF> best() const;
+  /// From the best towards the most tolerant one: the best may leave no room to verify it.
+  [[nodiscard]] std::vector<SuiteDamper> from_best() const;
   /// Every damper for a hit; empty for a pulse.
   [[nodiscard]] std::optional<FeasibleRegion> feasible() const;
   /// Each that would help alone. It leaves that room, of the tolerance and as a part of the limits:
@@ -42,6 +50,13 @@ class TaskAlongF {
   [[nodiscard]] bool moves(const SuiteFigureKind& kind) const;
 
  private:
+  /// Of a task that may also be judged.
+  static TaskAlongF posed(const RecordDesignRequest& task);
+  /// In the units of the request.
+  [[nodiscard]] std::optional<DesignPoint> searched(Objective objective) const;
+  /// Without constant friction no rest is off centre, whichever arrival stops the mass.
+  [[nodiscard]] std::optional<DesignPoint> without_friction() const;
+
   std::variant<Problem, PulseProblem> problem_;
   Limits limits_;
   Objective objective_{Objective::robust};
