@@ -148,7 +148,7 @@ std::optional<WorksFor> TaskAlongF::works_for(const RecordDesignRequest& task,
 }
 
 std::optional<DesignPoint> TaskAlongF::without_friction() const {
-  const Problem& hit = std::get<Problem>(problem_);
+  const auto& hit = std::get<Problem>(problem_);
   if (hit.arrivals == 1) {
     return std::nullopt;
   }
@@ -247,7 +247,7 @@ std::vector<Mend> TaskAlongF::mends(double room) const {
     }
     list = design::mends(*hit, limits);
   } else {
-    const PulseProblem& pulse = std::get<PulseProblem>(problem);
+    const auto& pulse = std::get<PulseProblem>(problem);
     list = design::mends(pulse, limits, std::make_shared<const WorstReturn>(pulse)).list;
   }
   std::erase_if(list, [&](const Mend& each) {
