@@ -108,4 +108,16 @@ BOOST_AUTO_TEST_CASE(the_structure_feels_what_it_does_in_the_motion) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_structure_feels_the_most_at_an_end_of_a_range_of_damping) {
+  RandomSource random(5124);
+  for (int i = 0; i < 5000; ++i) {
+    const double a = random.pick(10) == 0 ? 0 : random.log_uniform(1e-4, 10);
+    const double low = random.uniform(0, 0.9);
+    const double high = random.uniform(low, 0.9);
+    const double most =
+        std::max(unit::damped_acceleration(low, a), unit::damped_acceleration(high, a));
+    BOOST_TEST(unit::damped_acceleration(random.uniform(low, high), a) <= most * (1 + rounding));
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

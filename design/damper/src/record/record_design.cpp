@@ -172,10 +172,8 @@ RecordDesign design(const RecordDesignRequest& request, const RecordWatch& go_on
     result.finding = std::move(finding);
     add_motions(result, suites);
     if (task.judges || std::ranges::none_of(task.cases, &LoadCase::of_records)) {
-      RecordDesignRequest of_box = task;
-      of_box.tolerance.f = times(task.tolerance.f, chosen->scale);
-      of_box.tolerance.delta = times(task.tolerance.delta, chosen->scale);
-      std::ranges::move(constraints_on(of_box, damper), std::back_inserter(result.constraints));
+      std::ranges::move(constraints_on(task, damper, chosen->scale),
+                        std::back_inserter(result.constraints));
     }
     if (task.judges) {
       result.finding->admissible = std::ranges::all_of(result.constraints, &Constraint::satisfied);

@@ -70,12 +70,14 @@ std::optional<double> largest_tolerance(const Suites& suite, RecordDesignRequest
 
 }  // namespace
 
-std::vector<Constraint> constraints_on(const RecordDesignRequest& task, const SuiteDamper& damper) {
+std::vector<Constraint> constraints_on(const RecordDesignRequest& task, const SuiteDamper& damper,
+                                       double scale) {
   std::vector<Constraint> list;
   const auto add = [&](std::string_view name, std::string_view variable, double value,
                        const Spread& spread, const std::optional<double>& most) {
     if (most) {
-      list.push_back(Constraint::compared(name, variable, "<=", value * (1 + spread.above), *most));
+      list.push_back(
+          Constraint::compared(name, variable, "<=", value * (1 + scale * spread.above), *most));
     }
   };
   const auto& [f, delta, width, period] = task.tolerance;

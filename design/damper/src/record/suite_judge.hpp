@@ -11,9 +11,9 @@
 namespace stillpoint::design {
 
 /// What is asked of the box of a damper whatever moves it: that it can be manufactured, and that
-/// the loads which must start the mass do.
+/// the loads which must start the mass do. The box is `scale` times that of the task.
 [[nodiscard]] std::vector<Constraint> constraints_on(const RecordDesignRequest& task,
-                                                     const SuiteDamper& damper);
+                                                     const SuiteDamper& damper, double scale = 1);
 
 /// Of the damper that the completed request of `result` gives, which gets the largest tolerance if
 /// the damper itself is admissible. Empty if a damper of its box never rests.

@@ -142,8 +142,7 @@ class FeasibleDampers {
     all.push_back(damper);
     const SuiteSpace space(task_, frictions_of(damper));
     if (space.toleranced() > 0) {
-      const std::size_t count = space.corners_suffice() ? 0 : samples;  // the corners come first
-      for (const SuitePlace& unit : box_samples(space, count)) {
+      for (const SuitePlace& unit : box_samples(space, samples)) {
         all.push_back(space.off(damper, unit));
       }
     }

@@ -53,6 +53,7 @@ constexpr double latest_rest = 20;
 /// A notch without a width takes the whole of a hit, and friction holds the mass under a pulse that
 /// must bring it back. What is searched stays below; a damper to judge may take all of a hit.
 void require_start(RecordDesignRequest& request, const LoadCase& load_case) {
+  constexpr double below_start = 1 - 1e-9;
   const auto bound = [&](std::optional<double>& most, double value, double held, const char* field,
                          const std::optional<Interval>& searched) {
     most = std::min(most.value_or(HUGE_VAL), value);

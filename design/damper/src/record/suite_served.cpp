@@ -60,15 +60,7 @@ ServedInterval about(double value, const Keeps& keeps, const Interval& ends) {
   return {value * low, value * high, low == ends.low || high == ends.high};
 }
 
-/// Evenly from end to end.
-std::vector<double> through(const Interval& range) {
-  constexpr int steps = 4;
-  std::vector<double> values{range.low};
-  for (int i = 1; i <= steps && range.low < range.high; ++i) {
-    values.push_back(std::lerp(range.low, range.high, static_cast<double>(i) / steps));
-  }
-  return values;
-}
+constexpr std::size_t beside_values = 5;  // of each that varies beside
 
 /// What varies beside what is looked for: parts of the load, springs, or none of them.
 struct Beside {
@@ -85,8 +77,13 @@ bool starts(const RecordDesignRequest& task, const SuiteDamper& damper, double f
 
 class Serves {
  public:
-  Serves(const RecordDesignRequest& request, const SuiteDamper& damper)
-      : task_(of_one_load(request)), suites_(task_), limits_(limits_of(task_)), damper_(damper) {}
+  /// With `lets_rest` loads that hold the mass at its start are kept as well.
+  Serves(const RecordDesignRequest& request, const SuiteDamper& damper, bool lets_rest)
+      : task_(of_one_load(request)),
+        suites_(task_),
+        limits_(limits_of(task_)),
+        damper_(damper),
+        lets_rest_(lets_rest) {}
 
   /// At each factor of the loads and of the spring, with all that varies beside.
   [[nodiscard]] std::vector<bool> keeps(const Factors& loads, const Factors& springs,
@@ -94,10 +91,11 @@ class Serves {
     std::vector<SuiteDamper> dampers;
     std::vector<double> factors;
     for (std::size_t i = 0; i < loads.size(); ++i) {
-      for (const double part : through(beside.loads)) {
-        for (const double spring :
-             through({1 / (1 + beside.spring.above), 1 / (1 - beside.spring.below)})) {
-          for (const double damping : through({0, task_.zeta.low < task_.zeta.high ? 1.0 : 0.0})) {
+      for (const double part : values_in(beside.loads, beside_values)) {
+        for (const double spring : values_in(
+                 {1 / (1 + beside.spring.above), 1 / (1 - beside.spring.below)}, beside_values)) {
+          for (const double damping :
+               values_in({0, task_.zeta.low < task_.zeta.high ? 1.0 : 0.0}, beside_values)) {
             SuiteDamper now = damper_;
             now.p *= springs[i] * spring;
             now.damping = damping;
@@ -121,10 +119,6 @@ class Serves {
     return result;
   }
 
-  [[nodiscard]] const RecordDesignRequest& task() const { return task_; }
-  /// Every load down to nothing is one of the task, of which it holds some.
-  void let_rest() { lets_rest_ = true; }
-
  private:
   static RecordDesignRequest of_one_load(RecordDesignRequest task) {
     task.judges = true;
@@ -144,9 +138,8 @@ class Serves {
     }
     for (std::size_t i = 0; i < dampers.size(); ++i) {
       if (task_.hold) {
-        SuiteDamper own = dampers[i];
         all.push_back(
-            Suites(enlarged(task_, factors[i])).figures(relative_to(own, 1 / factors[i])));
+            Suites(enlarged(task_, factors[i])).figures(relative_to(dampers[i], 1 / factors[i])));
       } else {
         for (SuiteFigures& one : all[i]) {
           one = times(one, factors[i]);
@@ -160,7 +153,7 @@ class Serves {
   Suites suites_;
   std::vector<SuiteLimits> limits_;
   SuiteDamper damper_;
-  bool lets_rest_{false};
+  bool lets_rest_;
 };
 
 }  // namespace
@@ -169,14 +162,11 @@ std::optional<WorksFor> works_for(const RecordDesignRequest& request, const Suit
   if (auto known = TaskAlongF::works_for(request, damper)) {
     return known;
   }
-  Serves serves(request, damper);
+  const LoadCase& load = request.cases.front();
   const bool alone = request.cases.size() == 1;
-  const bool to_nothing = alone && request.cases.front().weakest == 0;
-  const Interval loads_of_task{alone ? std::max(least_weakest, request.cases.front().weakest) : 1,
-                               1};
-  if (to_nothing) {
-    serves.let_rest();
-  }
+  const bool to_nothing = alone && load.weakest == 0;
+  const Interval loads_of_task{alone ? std::max(least_weakest, load.weakest) : 1, 1};
+  const Serves serves(request, damper, to_nothing);
   if (!serves.keeps({1}, {1}, {loads_of_task, request.spring}).front()) {
     return std::nullopt;
   }
@@ -186,7 +176,6 @@ std::optional<WorksFor> works_for(const RecordDesignRequest& request, const Suit
   const auto of_springs = [&](const Factors& factors) {
     return serves.keeps(Factors(factors.size(), 1), factors, {loads_of_task, {}});
   };
-  const LoadCase& load = request.cases.front();
   const ServedLoad of = alone && load.v0      ? ServedLoad::v0
                         : alone && load.pulse ? ServedLoad::k
                                               : ServedLoad::scale;

@@ -136,21 +136,24 @@ class TaskSearch {
       return std::nullopt;
     }
     const SuiteSpace whole(task_, SuiteFrictions::both);
-    for (SuiteDamper damper : along_f_->from_best()) {
+    const auto tried = [&](SuiteDamper damper) -> std::optional<VerifiedBox> {
       if (whole.possible() && whole.nearest(damper).f > damper.f) {
         damper.f = 0;  // so little is none
       }
       const SuiteSpace space(task_, frictions_of(damper));
       if (!space.possible()) {
-        continue;
+        return std::nullopt;
       }
       SuiteSearch search(suite_, task_, space, goal, watch_);
-      if (auto box =
-              search.verified({search.polished({space.nearest(damper), {}, {}}, known_step)})) {
-        return box;
+      return search.verified({search.polished({space.nearest(damper), {}, {}}, known_step)});
+    };
+    std::optional<VerifiedBox> box = tried(known_->damper);
+    if (!box) {
+      for (const SuiteDamper& damper : along_f_->towards_room(known_->damper)) {
+        box = box ? box : tried(damper);
       }
     }
-    return std::nullopt;
+    return box;
   }
 
   /// Of a hit also where the best leaves no room to verify it: between the strips that are known a

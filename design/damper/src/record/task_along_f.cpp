@@ -15,6 +15,7 @@
 #include <cmath>
 #include <memory>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace stillpoint::design {
@@ -37,18 +38,15 @@ bool searches_all(const RecordDesignRequest& task) {
   return open.f == task.f && open.delta == task.delta && task.f->high > 0 && task.delta->high > 0;
 }
 
-bool stops_at_once(const LoadCase& only) {
-  return only.limits.residual == 0.0 && only.limits.passages == 0.0;
-}
-
 /// Of a pulse the first return alone. Of a hit also later arrivals, and rests off centre where the
 /// spring does not vary; the time to rest has no closed bound with damping.
 bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
+  const auto& [residual, passages] = std::tie(only.limits.residual, only.limits.passages);
   const bool varies = task.spring.above + task.spring.below > 0;
-  constexpr double passages = 15;  // each as costly as all before it
-  return only.v0 ? only.limits.residual && only.limits.passages <= passages &&
-                       (only.limits.residual == 0.0 || !varies)
-                 : stops_at_once(only) && only.weakest > 0 && task.zeta.low == task.zeta.high;
+  return only.v0 ? residual && passages.value_or(HUGE_VAL) < most_damped_arrivals &&
+                       (residual == 0.0 || !varies)
+                 : residual == 0.0 && passages == 0.0 && only.weakest > 0 &&
+                       task.zeta.low == task.zeta.high;
 }
 
 /// Breakaway friction holds no mass whose turn is far enough off to come back to x = 0, which is at
@@ -172,16 +170,15 @@ std::optional<DesignPoint> TaskAlongF::searched(Objective objective) const {
   return is_better ? still : found ? std::optional(found->point) : std::nullopt;
 }
 
-std::vector<SuiteDamper> TaskAlongF::from_best() const {
-  constexpr std::array parts{0.0, 1e-3, 1e-2, 0.05, 0.2, 0.5, 1.0};
-  const auto from = searched(objective_);
-  const auto to = objective_ == Objective::robust ? from : searched(Objective::robust);
+std::vector<SuiteDamper> TaskAlongF::towards_room(const SuiteDamper& best) const {
+  constexpr std::array parts{1e-3, 1e-2, 0.05, 0.2, 0.5, 1.0};
+  const auto to = objective_ == Objective::robust ? std::nullopt : searched(Objective::robust);
   std::vector<SuiteDamper> list;
   for (const double part : parts) {
-    if (from && to && (part == 0 || objective_ != Objective::robust)) {
+    if (to) {
       list.push_back({.p = p_,
-                      .f = std::lerp(from->f, to->f, part),
-                      .delta = std::lerp(from->delta, to->delta, part)});
+                      .f = std::lerp(best.f, to->f, part),
+                      .delta = std::lerp(best.delta, to->delta, part)});
     }
   }
   return list;

@@ -39,8 +39,8 @@ class TaskAlongF {
 
   /// The best for the objective, with the tolerance that is required; empty if there is none.
   [[nodiscard]] std::optional<DamperAlongF> best() const;
-  /// From the best towards the most tolerant one: the best may leave no room to verify it.
-  [[nodiscard]] std::vector<SuiteDamper> from_best() const;
+  /// From the best towards the most tolerant one, where the best leaves no room to verify it.
+  [[nodiscard]] std::vector<SuiteDamper> towards_room(const SuiteDamper& best) const;
   /// Every damper for a hit; empty for a pulse.
   [[nodiscard]] std::optional<FeasibleRegion> feasible() const;
   /// Each that would help alone. It leaves that room, of the tolerance and as a part of the limits:

@@ -116,9 +116,8 @@ inline constexpr std::int64_t most_arrivals_offered = 100;
 /// hurt, so `fits`, a function of the number, holds from there on.
 template <class Fits>
 std::optional<Mend> arrivals_mend(const Problem& problem, const Fits& fits) {
-  constexpr std::int64_t most_damped = 16;
   std::int64_t too_few = problem.arrivals;
-  std::int64_t enough = problem.zeta.high > 0 ? most_damped : most_arrivals_offered;
+  std::int64_t enough = problem.zeta.high > 0 ? most_damped_arrivals : most_arrivals_offered;
   if (too_few >= enough || !fits(enough)) {
     return std::nullopt;
   }

@@ -22,6 +22,9 @@ enum class Criterion {
 /// 1), 0.05 % for the last of these, and every arrival costs a step of the map.
 inline constexpr std::int64_t most_arrivals = 1000;
 
+/// With damping, where each costs as much as all before it.
+inline constexpr std::int64_t most_damped_arrivals = 16;
+
 /// Below it beta and the limits come close to the smallest normal double, where digits are lost.
 inline constexpr double smallest_limit = 1e-300;
 
@@ -41,8 +44,8 @@ struct Problem {
   std::optional<double> p_high{};
   /// A rest with |x| <= residual is admissible as well, after at most `arrivals` half-cycles.
   std::optional<double> residual{};
-  /// Of critical damping, anywhere in which it may be; below 1, and by the exact criterion. Search
-  /// and mends alone take it, to rounding and not to the last bit.
+  /// Of critical damping, anywhere in which it may be; below 1, and by the exact criterion. Search,
+  /// strips, mends and works_for take it, to rounding and not to the last bit; nothing else does.
   Interval zeta{};
 
   /// The weakest hit that must move the mass.

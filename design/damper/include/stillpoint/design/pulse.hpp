@@ -57,9 +57,6 @@ inline constexpr double slowest_pulse = 100;
 /// swings many times before it returns, a region is too expensive to compute a hundred of them.
 inline constexpr double slowest_examined = 10;
 
-/// Of what would hold the mass against a load: a friction that is searched stays below this part.
-inline constexpr double below_start = 1 - 1e-9;
-
 /// Throws InputError, naming the field, unless k > 0, lambda / p is from 0.01 to 1e12, and the
 /// problem of the velocity k / lambda is valid (problem.hpp); at both ends of each range, the low
 /// one not above the high one.
