@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a command reports beyond the lines of commands/reports.
 #include "cli_test.hpp"
-#include "wrong_arguments.hpp"
 
 #include <stillpoint/answers/answers.hpp>
 #include <stillpoint/design/cross_check.hpp>
@@ -11,52 +10,6 @@
 BOOST_FIXTURE_TEST_SUITE(commands_test, stillpoint::cli_test::Sandbox)
 
 using namespace stillpoint::cli_test;
-using right::design;
-
-BOOST_AUTO_TEST_CASE(a_catalogue_of_100_MB_is_refused_before_it_is_read_to_its_end) {
-  {
-    std::ofstream file(path("huge.csv"));
-    file << "name,f,delta\n";
-    for (int i = 0; i <= 100'000; ++i) {
-      file << 'p' << i << ",0.2,0.4\n";
-    }
-  }
-  fs::resize_file(path("huge.csv"), 100'000'000);
-  check_refusal(run(design("--catalogue huge.csv")),
-                {"catalogue huge.csv", "line 100002", "more than 100000 parts"});
-  write("one_line.csv", "name,f,delta\n");
-  fs::resize_file(path("one_line.csv"), 100'000'000);
-  check_refusal(run(design("--catalogue one_line.csv")),
-                {"catalogue one_line.csv", "line 2", "65536 bytes"});
-}
-
-BOOST_AUTO_TEST_CASE(a_catalogue_is_drawn_by_region_and_works_with_arrivals) {
-  write("few.csv", "name,f,delta\nfirst,0.26,0.37\nsecond,0.05,0.2\nfar,9,9\n");
-  const Arguments region("region --v0 1 --p 1 --beta 1.1 --catalogue few.csv --svg out --arrivals");
-  BOOST_TEST(reported(region + "2")["catalogue"][1]["admissible"] == true);
-  const std::string figure = read("out/region.svg");
-  BOOST_TEST(contains(figure, "parts that fit"));
-  BOOST_TEST(!contains(figure, "tolerate too little"));
-  // The first withstands 35 %.
-  BOOST_TEST(run(region + "1 --tolerance 0.4").exit_code == 3);
-  const std::string strict = read("out/region.svg");
-  BOOST_TEST(
-      contains(strict, "data-name=\"parts that tolerate too little\" data-at=\"0.26 0.37\""));
-  BOOST_TEST(!contains(strict, "parts that fit"));
-}
-
-BOOST_AUTO_TEST_CASE(a_report_is_the_same_json_in_a_file) {
-  const ProgramRun text = succeed(design(0.9, "--output report.json"));
-  BOOST_TEST(text.out.starts_with("Damper design"));
-  const std::string written = read("report.json");
-  BOOST_TEST(without_wall_times(json::parse(written)) == without_wall_times(reported(design(0.9))));
-  BOOST_TEST(contents().size() == 1U);
-
-  const ProgramRun both = run(design(0.9, "--json --output report.json"));
-  BOOST_TEST(read("report.json") == both.out);
-  BOOST_TEST(run(design(0.6, "--output report.json")).exit_code == 3);  // also without a damper
-  BOOST_TEST(json::parse(read("report.json"))["region"]["feasible"] == false);
-}
 
 /// The report is still printed.
 BOOST_AUTO_TEST_CASE(a_failed_cross_check_is_exit_code_4_with_a_report) {
@@ -73,8 +26,6 @@ BOOST_AUTO_TEST_CASE(a_failed_cross_check_is_exit_code_4_with_a_report) {
   BOOST_TEST(check["methods"][0]["passed"] == false);
 }
 
-// design --pulse and region --pulse, from the flags to the report.
-
 /// For a pulse given in seconds the suggested change is in seconds, as it can be given.
 BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
   const auto lasting = [](const std::string& duration) {
@@ -88,25 +39,6 @@ BOOST_AUTO_TEST_CASE(a_duration_as_printed_makes_it_feasible) {
   succeed(lasting(found[1].str() + "s"));
   constexpr double beyond = 1 + 1e-4;  // five digits are printed
   BOOST_TEST(run(lasting(in_full(beyond * std::stod(found[1])) + "s")).exit_code == 3);
-}
-
-BOOST_AUTO_TEST_CASE(counts_beyond_the_integers_of_a_double_are_numbers) {
-  // At once: five seconds, also under sanitizers on a loaded machine. A count that a double holds
-  // exactly is written as an integer.
-  const Surroundings impatient{.patience = std::chrono::seconds(5)};
-  const Arguments motion("simulate --v0 1 --p 1 --f 0 --json --delta");
-  succeed(motion + "0", impatient);
-  succeed(motion + "1e-20", impatient);
-  const ProgramRun exact = succeed(motion + "4.9e-13", impatient);
-  BOOST_TEST(contains(exact.out, "\"half_cycles\": 1020408163266,"));
-}
-
-BOOST_AUTO_TEST_CASE(figures_beyond_a_double_are_refused_or_left_out_but_never_infinite) {
-  const Arguments enormous(
-      "simulate --velocity 1 --period 1 --mass 1e30 --gravity 1e30 --f 1 --delta-m 1e260");
-  check_only_finite(run(enormous).out);
-  const ProgramRun answer = run(enormous + "--json");
-  BOOST_TEST((answer.exit_code == 0 || answer.exit_code == 2));
 }
 
 /// What the mass feels where it crosses a whole notch, followed by simulate with its edges.

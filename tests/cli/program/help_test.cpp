@@ -101,42 +101,6 @@ BOOST_AUTO_TEST_CASE(is_as_wide_as_the_terminal_or_80_columns) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(is_also_printed_by_the_help_command) {
-  BOOST_TEST(run("help").out == run("--help").out);
-  BOOST_TEST(run("help help").out == run("--help").out);
-  for (const Command command : commands) {
-    const std::string word(name(command));
-    BOOST_TEST(run({"help", word}).out == run({word, "--help"}).out);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(is_short_without_a_command) {
-  const ProgramRun answer = ending(2, {});
-  BOOST_TEST(answer.out.empty(), answer.out);
-  BOOST_TEST(answer.err_lines().size() <= 20U);
-  for (const Command command : commands) {
-    BOOST_TEST(contains(answer.err, "  " + std::string(name(command))));
-  }
-  BOOST_TEST(contains(answer.err, "stillpoint design --velocity"));
-}
-
-BOOST_AUTO_TEST_CASE(begins_with_a_scene_that_can_be_designed_as_it_is) {
-  BOOST_TEST(run("init").out == run("init building").out);
-  for (const char* kind : {"building", "machine", "equipment"}) {
-    const ProgramRun scene = succeed({"init", kind});
-    BOOST_TEST(scene.err.empty(), scene.err);
-    BOOST_TEST(contains(scene.out, "// "));
-    const ProgramRun design = succeed("design - --json", {.input = scene.out});
-    BOOST_TEST(design.err.empty(), design.err);
-    BOOST_TEST(design.json()["design"]["tolerance"].get<double>() >=
-               design.json()["input"]["tolerance"].get<double>());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(wins_over_wrong_input) {
-  succeed("design --v0 nonsense --help");
-}
-
 BOOST_AUTO_TEST_CASE(version_says_with_what_it_was_built_and_runs) {
   // The program's answer against what the test finds out by itself: NLopt is asked in C, the build
   // type and the compiler are those of the test.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
-#include "forced_arguments.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -95,7 +94,8 @@ BOOST_AUTO_TEST_CASE(of_a_dumb_terminal_has_no_escapes,
 }
 
 BOOST_AUTO_TEST_CASE(short_run_shows_none, *boost::unit_test::precondition(if_terminals)) {
-  const ProgramRun brief = succeed(harmonic, {.error_is_terminal = true});
+  const ProgramRun brief =
+      succeed("simulate --v0 1 --p 1 --f 0.1 --delta 0.1", {.error_is_terminal = true});
   BOOST_TEST(brief.err.empty(), brief.err);
 }
 

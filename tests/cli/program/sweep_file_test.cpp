@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
-#include "wrong_arguments.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_file_test)
 
 using namespace stillpoint::cli_test;
-using right::sweep;
-using right::with_input;
-
-const Arguments grid("--f 0,0.02,0.3 --delta 0,0.03,0.7 --times");
 
 /// The number in the file where the CSV is empty.
 double absent(const SweepTable& table, std::size_t row, const std::string& column) {
@@ -22,17 +17,18 @@ bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-BOOST_FIXTURE_TEST_SUITE(npy, Sandbox)
-
-BOOST_AUTO_TEST_CASE(has_the_values_of_the_csv) {
+BOOST_FIXTURE_TEST_CASE(npy_has_the_values_of_the_csv, Sandbox) {
   const Arguments outcomes(
-      "stopped_at_zero stopped_in_dead_zone never_stops caught_at_start running");
+      "stopped_at_zero stopped_in_dead_zone never_stops caught_at_start running "
+      "too_many_half_cycles");
   const Arguments forced(
       "--f 0.1,0.4 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 30");
   const Arguments single("sweep --v0 1 --p 1");
   const Arguments designs("sweep --v0 0.9:1.1,0:1 --p 1 --beta 0.5,2 --residual 0.05");
+  write("list.csv", "f,delta\n0.1,0.2\n1e-12,1e-30\n0.02,0.03\n");
   for (const Arguments& asked :
-       {single + grid, single + forced, designs, single + "--beta 0.9 --trade-off 4"}) {
+       {single + "--f 0,0.02,0.3 --delta 0,0.03,0.7 --times", single + forced,
+        single + "--list list.csv --times", designs, single + "--beta 0.9 --trade-off 4"}) {
     const SweepTable table = read_csv(run(asked).out);
     succeed(asked + "--output rows.npy");
     const NpyFile npy = read_npy(read("rows.npy"));
@@ -58,51 +54,5 @@ BOOST_AUTO_TEST_CASE(has_the_values_of_the_csv) {
     }
   }
 }
-
-BOOST_AUTO_TEST_CASE(of_a_list_gets_its_length_at_the_end) {
-  std::string text = "f,delta\n";
-  for (int i = 0; i < 1234; ++i) {
-    text += "0.1,0.5\n";
-  }
-  succeed(sweep("--list - --output rows.npy"), with_input(text));
-  BOOST_TEST(read_npy(read("rows.npy")).count == 1234);
-  succeed(sweep("--list - --output none.npy"), with_input("f,delta\n"));
-  BOOST_TEST(read_npy(read("none.npy")).count == 0);
-}
-
-BOOST_AUTO_TEST_CASE(of_a_grid_may_go_through_a_pipe) {
-  const ProgramRun piped = run(sweep(grid + "--format npy"));
-  succeed(sweep(grid + "--output rows.npy"));
-  BOOST_TEST(piped.out == read("rows.npy"));
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_FIXTURE_TEST_SUITE(file, Sandbox)
-
-BOOST_AUTO_TEST_CASE(is_what_standard_output_would_be) {
-  write("rows.csv", "old");
-  const ProgramRun answer = succeed(sweep(grid + "--output rows.csv"));
-  BOOST_TEST(answer.err.empty(), answer.err);
-  BOOST_TEST(answer.out.starts_with("Sweep\n"), answer.out);
-  BOOST_TEST(read("rows.csv") == run(sweep(grid)).out);
-  BOOST_TEST(contents().size() == 1U);
-}
-
-BOOST_AUTO_TEST_CASE(keeps_a_link) {
-  fs::create_directory(path("elsewhere"));
-  fs::create_symlink("elsewhere/rows.csv", path("link.csv"));
-  succeed(sweep(grid + "--output link.csv"));
-  BOOST_TEST(fs::is_symlink(path("link.csv")));
-  BOOST_TEST(read("elsewhere/rows.csv").starts_with("f,delta,"));
-}
-
-BOOST_AUTO_TEST_CASE(may_be_standard_output_or_a_device) {
-  BOOST_TEST(run(sweep(grid + "--output /dev/stdout")).out == run(sweep(grid)).out);
-  succeed(sweep(grid + "--output /dev/null"));
-  BOOST_TEST(contents().empty());
-}
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Sweeps in parts, and the parts joined again.
+// Sweeps in parts, and the parts joined again; commands/sessions/parts.txt has what is said of
+// them.
 #include "cli_test.hpp"
 #include "limits.hpp"
-#include "parts.hpp"
 
 #include <fmt/format.h>
 
@@ -12,11 +12,43 @@ using namespace stillpoint::cli_test;
 
 const Arguments grid("sweep --v0 1 --p 1 --f 0.02:0.35:13 --delta 0:0.5:5");
 
-struct SweepParts : Parts {
-  SweepParts() : Parts("csv") {}
+struct Parts : Sandbox {
+  /// Computes all parts, the last one first, into I-of-N.EXTENSION; their names.
+  [[nodiscard]] Arguments split(const Arguments& sweep, int n, const std::string& extension) const {
+    Arguments names;
+    for (int i = n; i >= 1; --i) {
+      succeed(sweep + Arguments{"--part", fmt::format("{}/{}", i, n), "--output",
+                                "{part}." + extension, "--threads", std::to_string(1 + i % 3)});
+      names.push_back(fmt::format("{:0{}}-of-{}.{}", i, std::to_string(n).size(), n, extension));
+    }
+    return names;
+  }
+
+  /// Joins them into the file merged.
+  [[nodiscard]] ProgramRun merge(const Arguments& parts) const {
+    return run(Arguments("sweep merge merged") + parts);
+  }
+
+  /// Asserts that n parts make the bytes of the whole.
+  void check_merged(const Arguments& sweep, int n, const std::string& extension) const {
+    BOOST_TEST_CONTEXT(n << " parts, " << extension) {
+      const std::string whole = "whole." + extension;
+      succeed(sweep + Arguments{"--output", whole});
+      const ProgramRun answer = merge(split(sweep, n, extension));
+      BOOST_TEST(answer.exit_code == 0, answer.err);
+      BOOST_TEST((read("merged") == read(whole)));
+    }
+  }
+
+  /// Asserts that they cannot be joined, why, and that nothing is written.
+  void check_refused(const Arguments& parts, const Texts& says) const {
+    const auto before = contents();
+    check_refusal(merge(parts), says);
+    BOOST_TEST(contents() == before);
+  }
 };
 
-BOOST_FIXTURE_TEST_SUITE(parts, SweepParts)
+BOOST_FIXTURE_TEST_SUITE(parts, Parts)
 
 BOOST_AUTO_TEST_CASE(of_any_sweep_merge_to_the_bytes_of_the_whole) {
   write("list.csv", "f,delta\n0.1,0.2\n\n0.3,0.1\n0.02,0.03\n0.05,0\n0.2,0.25\n");
@@ -65,55 +97,6 @@ BOOST_AUTO_TEST_CASE(of_any_sweep_merge_to_the_bytes_of_the_whole) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(may_go_to_standard_output) {
-  write("whole", run(grid).out);
-  for (const char* part : {"1/2", "2/2"}) {
-    write(std::string("part") + part[0], run(grid + Arguments{"--part", part}).out);
-  }
-  BOOST_TEST(merge("part1 part2").exit_code == 0);
-  BOOST_TEST((read("merged") == read("whole")));
-}
-
-BOOST_AUTO_TEST_CASE(report_their_number) {
-  const auto report = part(grid, 2, 3, "--json").json();
-  BOOST_TEST(report.at("part").at("number") == 2);
-  BOOST_TEST(report.at("part").at("count") == 3);
-  BOOST_TEST(report.at("rows") == 22);  // of 65 the first two parts have 22
-  BOOST_TEST(run(grid + "--output whole.csv --json").json().at("part").is_null());
-}
-
-BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
-  static_cast<void>(split(grid, 2));
-  const auto written = fs::last_write_time(path("1-of-2.csv"));
-  const auto again = part(grid, 1, 2, "--resume --json").json();
-  BOOST_TEST(again.at("resumed_at") == again.at("rows"));
-  BOOST_TEST((fs::last_write_time(path("1-of-2.csv")) == written));
-  BOOST_TEST(part(grid, 1, 2).exit_code == 0);  // without --resume as any file
-  BOOST_TEST((fs::last_write_time(path("1-of-2.csv")) > written));
-}
-
-BOOST_AUTO_TEST_CASE(are_not_written_over_each_other) {
-  for (const Arguments& more : {Arguments{}, Arguments("--resume")}) {
-    const Arguments one_file = grid + "--output one.csv";
-    static_cast<void>(run(one_file + "--part 1/2"));
-    const auto before = contents();
-    const ProgramRun answer = run(one_file + "--part 2/2" + more);
-    check_refusal(answer, {"one.csv", "1/2", "{part}"});
-    BOOST_TEST(contents() == before);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(that_are_missing_or_repeated_are_refused) {
-  const Arguments names = split(grid, 3);  // the third comes first
-  check_refused({names[0], names[2]}, {"2/3", "is missing"});
-  check_refused({names[2]}, {"2/3", "is missing", "2"});
-  check_refused(names + Arguments{names[1]}, {names[1], "is part 2/3", "and so is"});
-  fs::copy_file(path(names[1]), path("copy.csv"));
-  check_refused(names + "copy.csv", {"copy.csv", "is part 2/3", "and so is " + names[1]});
-  check_refused({}, {"PART"});
-  check_refused(names + "none.csv", {"none.csv", "No such file"});
-}
-
 /// Wherever it is cut.
 BOOST_AUTO_TEST_CASE(that_are_truncated_are_refused) {
   for (const char* extension : {"csv", "npy"}) {
@@ -135,7 +118,7 @@ BOOST_AUTO_TEST_CASE(that_are_truncated_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(whose_seal_has_non_integers_are_refused) {
-  const Arguments names = split(grid, 2);
+  const Arguments names = split(grid, 2, "csv");
   const std::string whole = read(names[0]);
   for (const std::string_view key :
        {"part", "entries", "rows", "bytes", "outcomes", "locked", "digest"}) {
@@ -150,34 +133,6 @@ BOOST_AUTO_TEST_CASE(whose_seal_has_non_integers_are_refused) {
       }
     }
   }
-}
-
-BOOST_AUTO_TEST_CASE(of_other_sweeps_are_refused) {
-  const Arguments names = split(grid, 2);
-  const auto check_foreign = [&](const Arguments& sweep, Texts says) {
-    static_cast<void>(run(sweep + "--part 2/2 --output foreign.csv"));
-    says.insert(says.end(), {"foreign.csv", names[1]});
-    check_refused({names[1], "foreign.csv"}, says);
-    fs::remove(path("foreign.csv"));
-  };
-  Arguments other = grid;
-  other[6] = "0.02:0.36:13";
-  check_foreign(other, {"f was", "0.02:0.36:13"});
-  check_foreign(grid + "--times", {"columns"});
-  check_foreign(grid + "--format npy", {"format"});
-  static_cast<void>(run(grid + "--part 3/3 --output foreign.csv"));
-  check_refused({names[1], "foreign.csv"}, {"foreign.csv", "3/3", names[1], "1/2"});
-  static_cast<void>(run(grid + "--output foreign.csv"));  // not in parts
-  check_refused({names[1], "foreign.csv"}, {"foreign.csv", "not a complete part"});
-}
-
-BOOST_AUTO_TEST_CASE(of_a_list_that_has_changed_are_refused) {
-  const Arguments sweep("sweep --v0 1 --p 1 --list list.csv");
-  write("list.csv", "f,delta\n0.1,0.2\n0.3,0.1\n");
-  static_cast<void>(part(sweep, 1, 2));
-  write("list.csv", "f,delta\n0.2,0.2\n0.3,0.1\n");
-  static_cast<void>(part(sweep, 2, 2));
-  check_refused("1-of-2.csv 2-of-2.csv", {"2-of-2.csv", "list"});
 }
 
 /// At any byte, as on a full disk.
@@ -208,12 +163,14 @@ BOOST_AUTO_TEST_CASE(whose_merge_is_interrupted_leave_the_old_file_unchanged) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(are_not_overwritten_by_the_whole) {
-  const Arguments names = split(grid, 2);
-  fs::create_symlink(names[0], path("merged"));
-  check_refused(names, {"merged", "overwrite"});
-}
-
 BOOST_AUTO_TEST_SUITE_END()
+
+/// No address space has room for such stacks.
+BOOST_FIXTURE_TEST_CASE(threads_that_cannot_be_started_are_said, Sandbox) {
+  const Limit stacks(RLIMIT_STACK, rlim_t{1} << 56U);
+  check_refusal(run(grid + "--output rows.csv --threads 1"),
+                {"no thread can be started (Resource temporarily unavailable)", "ulimit"});
+  BOOST_TEST(contents().empty());
+}
 
 BOOST_AUTO_TEST_SUITE_END()

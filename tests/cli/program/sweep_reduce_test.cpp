@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps without rows say of the rows what the rows themselves would.
 #include "cli_test.hpp"
-#include "parts.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_reduce_test)
 
@@ -102,9 +101,7 @@ void check_best(const json& best, const SweepTable& table) {
   }
 }
 
-struct Reduced : Parts {
-  Reduced() : Parts("json") {}
-
+struct Reduced : Sandbox {
   /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {
     const SweepTable table = read_csv(run(sweep).out);
@@ -146,35 +143,6 @@ BOOST_AUTO_TEST_CASE(match_the_rows) {
   check_true(
       "sweep --p 1 --f 0.05:0.2:9 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
       "--reduce --best final_velocity:3");
-}
-
-BOOST_AUTO_TEST_CASE(of_wrong_parts_are_refused) {
-  const Arguments sweep = motions + "--reduce";
-  static_cast<void>(split(sweep, 2));
-  static_cast<void>(run(sweep + "--best stop_time:2 --part 2/2 --output foreign.json"));
-  static_cast<void>(run(sweep + "--output whole.json"));
-  const std::string second = read("2-of-2.json");
-  write("torn.json", second.substr(0, second.size() / 2));
-  std::string changed = second;
-  const std::size_t place = changed.find("\"count\": ", changed.find("\"columns\"")) + 9;
-  changed[place] = changed[place] == '1' ? '2' : '1';
-  write("changed.json", changed);
-  check_refused("1-of-2.json", {"2/2", "is missing"});
-  check_refused("1-of-2.json 2-of-2.json 2-of-2.json", {"2-of-2.json", "part 2/2"});
-  check_refused("1-of-2.json torn.json", {"torn.json", "not a complete part"});
-  check_refused("1-of-2.json changed.json", {"changed.json", "not a complete part"});
-  check_refused("1-of-2.json whole.json", {"whole.json", "not a complete part"});
-  check_refused("1-of-2.json /dev/zero", {"/dev/zero", "not a complete part"});
-  check_refused("1-of-2.json foreign.json", {"foreign.json", "1-of-2.json", "best"});
-}
-
-BOOST_AUTO_TEST_CASE(that_are_complete_are_not_computed_again) {
-  const Arguments part = motions + "--reduce --output r.json --part";
-  static_cast<void>(run(part + "1/2"));
-  const std::string found = read("r.json");
-  succeed(part + "1/2 --resume");
-  BOOST_TEST(read("r.json") == found);
-  check_refusal(run(part + "2/2"), {"r.json", "1/2", "{part}"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -69,22 +69,16 @@ void write_files(const Sandbox& sandbox, const Wrong& wrong) {
   }
 }
 
-void check_refused(const Sandbox& sandbox, const Wrong& wrong,
-                   const std::optional<Surroundings>& surroundings) {
+void check_refused(const Sandbox& sandbox, const Wrong& wrong) {
   write_files(sandbox, wrong);
   sandbox.write("old.csv", "an old report\n");
   const auto before = sandbox.contents();
-  Surroundings now = surroundings.value_or(Surroundings());
-  now.input = wrong.input;
   Arguments with_output = wrong.arguments;
   if (!with_output.empty() && std::ranges::find(with_output, "--output") == with_output.end()) {
     const Arguments output{"--output", "old.csv"};
     with_output.insert(with_output.begin() + 1, output.begin(), output.end());
   }
-  check_refusal(sandbox.run(with_output, now), wrong.says);
-  if (surroundings) {
-    check_refusal(sandbox.run(wrong.arguments, now), wrong.says);
-  }
+  check_refusal(sandbox.run(with_output, {.input = wrong.input}), wrong.says);
   BOOST_TEST(sandbox.contents() == before);
 }
 

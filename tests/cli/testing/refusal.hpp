@@ -4,7 +4,6 @@
 #include "run_program.hpp"
 
 #include <iosfwd>
-#include <optional>
 
 namespace stillpoint::cli_test {
 
@@ -38,8 +37,7 @@ void write_files(const Sandbox& sandbox, const Wrong& wrong);
 void check_refusal(const ProgramRun& run, const Texts& says);
 
 /// The same for a run in `sandbox` with --output on an old report, which must survive like
-/// everything else there; in given surroundings also without it.
-void check_refused(const Sandbox& sandbox, const Wrong& wrong,
-                   const std::optional<Surroundings>& surroundings = {});
+/// everything else there.
+void check_refused(const Sandbox& sandbox, const Wrong& wrong);
 
 }  // namespace stillpoint::cli_test

@@ -24,20 +24,6 @@ void remove_wall_times(json& value) {
 
 }  // namespace
 
-void check_null(const json& object, std::initializer_list<const char*> fields) {
-  for (const char* const field : fields) {
-    BOOST_TEST(object.value(field, json("missing")).is_null(), field);
-  }
-}
-
-void check_values(const json& object, std::initializer_list<std::pair<const char*, json>> values) {
-  for (const auto& [name, value] : values) {
-    BOOST_TEST_CONTEXT("field " << name) {
-      BOOST_TEST(object.value(name, json("missing")) == value);
-    }
-  }
-}
-
 void check_near(const json& object, std::initializer_list<std::pair<const char*, double>> values,
                 double tolerance) {
   for (const auto& [name, value] : values) {
@@ -84,19 +70,6 @@ json Sandbox::reported(const Arguments& arguments, const Surroundings& surroundi
 
 bool near(double a, double b, double tolerance) {
   return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
-}
-
-nlohmann::json finding(const nlohmann::json& report, std::string_view kind) {
-  for (const nlohmann::json& now : report.at("findings")) {
-    if (now.at("kind") == kind) {
-      return now;
-    }
-  }
-  return nullptr;
-}
-
-bool has_finding(const nlohmann::json& report, std::string_view kind) {
-  return !finding(report, kind).is_null();
 }
 
 }  // namespace stillpoint::cli_test

@@ -7,14 +7,6 @@
 
 namespace stillpoint::cli_test {
 
-/// Asserts that these fields of `object` are null. That a report has all fields, and of which type,
-/// its schema says, which every run is held to.
-void check_null(const nlohmann::json& object, std::initializer_list<const char*> fields);
-
-/// Asserts that these fields of `object` equal these values.
-void check_values(const nlohmann::json& object,
-                  std::initializer_list<std::pair<const char*, nlohmann::json>> values);
-
 /// Asserts that these fields of `object` are near these values.
 void check_near(const nlohmann::json& object,
                 std::initializer_list<std::pair<const char*, double>> values, double tolerance);
@@ -27,10 +19,6 @@ void check_only_finite(std::string_view report);
 
 /// The report without its wall times, which are the only thing that differs from run to run.
 [[nodiscard]] nlohmann::json without_wall_times(nlohmann::json report);
-
-/// The first finding of a kind, null without one; and whether there is one.
-[[nodiscard]] nlohmann::json finding(const nlohmann::json& report, std::string_view kind);
-[[nodiscard]] bool has_finding(const nlohmann::json& report, std::string_view kind);
 
 /// |a - b| <= tolerance * max(|a|, |b|)
 [[nodiscard]] bool near(double a, double b, double tolerance);

@@ -61,26 +61,6 @@ Channel terminal_channel() {
   return {descriptor(terminal), descriptor(shell)};
 }
 
-Channel file_channel(const std::string& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  require(file >= 0, path.c_str());
-  return {descriptor(-1), descriptor(file)};
-}
-
-Channel output_channel(const Surroundings& surroundings) {
-  switch (surroundings.output) {
-    case StandardOutput::pipe:
-      break;
-    case StandardOutput::terminal:
-      return terminal_channel();
-    case StandardOutput::file:
-      return file_channel(surroundings.output_file);
-    case StandardOutput::unread:
-      return {descriptor(-1), pipe_channel().writer};
-  }
-  return pipe_channel();
-}
-
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 /// A file without a name that holds `text`, at its beginning.
@@ -124,11 +104,10 @@ std::vector<std::string> environment(const Surroundings& surroundings) {
   return list;
 }
 
-/// Starts the program in that directory with three streams from standard input on, less those that
-/// are to be closed, and with SIGINT as for one in the foreground, wherever the tests run.
+/// Starts the program in that directory with three streams from standard input on,
+/// and with SIGINT as for one in the foreground, wherever the tests run.
 pid_t start(const std::string& program, const std::filesystem::path& directory,
-            const std::array<int, 3>& streams, const std::vector<int>& closed, char* const* words,
-            char* const* variables) {
+            const std::array<int, 3>& streams, char* const* words, char* const* variables) {
   const pid_t child = ::fork();
   require(child >= 0, "fork");
   if (child > 0) {
@@ -138,7 +117,6 @@ pid_t start(const std::string& program, const std::filesystem::path& directory,
   for (std::size_t i = 0; i < streams.size(); ++i) {
     ready = ready && ::dup2(streams[i], static_cast<int>(i)) >= 0;
   }
-  std::ranges::for_each(closed, [](int stream) { ::close(stream); });
   if (ready) {
     ::execve(program.c_str(), words, variables);
   }
@@ -255,11 +233,10 @@ ProgramRun Sandbox::run(const Arguments& arguments, const Surroundings& surround
   Arguments words = Arguments{program} + arguments;
   std::vector<std::string> variables = environment(surroundings);
   const File input = input_file(surroundings.input);
-  Channel out = output_channel(surroundings);
+  Channel out = surroundings.output_is_terminal ? terminal_channel() : pipe_channel();
   Channel err = surroundings.error_is_terminal ? terminal_channel() : pipe_channel();
-  const pid_t child =
-      start(program, path(""), {::fileno(input.get()), *out.writer, *err.writer},
-            surroundings.closed, pointers(words).data(), pointers(variables).data());
+  const pid_t child = start(program, path(""), {::fileno(input.get()), *out.writer, *err.writer},
+                            pointers(words).data(), pointers(variables).data());
   out.writer.reset();
   err.writer.reset();
   const auto deadline = Clock::now() + surroundings.patience;

@@ -41,18 +41,13 @@ struct ProgramRun {
 /// The file of the program that is tested.
 [[nodiscard]] std::string built_program();
 
-/// Nobody reads an unread one.
-enum class StandardOutput { pipe, terminal, file, unread };
-
 struct Surroundings {
   std::string input{};    ///< on standard input
   std::string program{};  ///< a copy of built_program(); empty: that itself
   /// Beside what the tests themselves run in, less NO_COLOR, and with TERM=xterm.
   std::vector<std::pair<std::string, std::string>> environment{};
-  StandardOutput output{StandardOutput::pipe};
-  std::string output_file{};  ///< appended to, with StandardOutput::file
+  bool output_is_terminal{false};
   bool error_is_terminal{false};
-  std::vector<int> closed{};   ///< descriptors of standard streams
   bool interrupt{false};       ///< sends SIGINT as soon as the program handles it
   std::string interrupt_at{};  ///< sends SIGINT once this has come on standard error
   /// Sends `signal` once this holds; it is asked every millisecond.

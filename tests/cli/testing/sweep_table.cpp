@@ -60,7 +60,7 @@ SweepTable read_csv(std::string_view text) {
 
 Arguments inputs_of(const SweepTable& table, std::size_t row) {
   static const std::array results{"peak_amplitude", "peak_m", "peak_absolute_acceleration",
-                                  "feasible"};
+                                  "feasible", "trade_off"};
   Arguments options;
   for (const std::string& column : table.columns) {
     if (std::ranges::find(results, column) != results.end()) {

@@ -23,24 +23,6 @@ struct SweepTable {
 /// range are one value.
 [[nodiscard]] Arguments inputs_of(const SweepTable& table, std::size_t row);
 
-/// What a sweep of these options prints: each row must be what `command` alone reports with
-/// `fixed` and the row's inputs, as check(table, row, report) asserts.
-template <class Check>
-SweepTable check_rows(const Sandbox& sandbox, const char* command, const Arguments& fixed,
-                      const Arguments& axes, const Check& check) {
-  const ProgramRun swept = sandbox.succeed("sweep" + fixed + axes);
-  BOOST_TEST(swept.err.empty(), swept.err);
-  SweepTable table = read_csv(swept.out);
-  BOOST_TEST(!table.rows.empty());
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const Arguments alone = Arguments{command} + fixed + inputs_of(table, row) + "--json";
-    BOOST_TEST_CONTEXT("row " << row) {
-      check(table, row, sandbox.run(alone).json());
-    }
-  }
-  return table;
-}
-
 /// One field of the records of an .npy file.
 struct NpyField {
   std::string name;

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "cli_test.hpp"
 #include "options/command_line.hpp"
-#include "wrong_arguments.hpp"
+
+#include <unistd.h>
 
 BOOST_AUTO_TEST_SUITE(wrong_input_test)
 
 using namespace stillpoint::cli_test;
-using namespace stillpoint::cli_test::right;
 namespace cli = stillpoint::cli;
-
-// ---- values
 
 void check_no_number(const Sandbox& sandbox, std::string_view command, std::string_view option,
                      const std::string& text) {
@@ -59,6 +57,27 @@ BOOST_AUTO_TEST_CASE(no_option_takes_a_text_for_a_number) {
   }
 }
 
-// ---- missing and contradictory
+// Files that only some users may read or write; the others are in commands/sessions/files.txt.
+
+BOOST_FIXTURE_TEST_CASE(a_scene_that_cannot_be_opened_is_refused, Sandbox) {
+  write("secret.json", R"({"v0": 1, "p": 1, "beta": 0.9})");
+  fs::permissions(path("secret.json"), fs::perms::none);
+  if (::access(path("secret.json").c_str(), R_OK) == 0) {
+    BOOST_TEST_MESSAGE("skipped: this user may read every file");
+    return;
+  }
+  check_refused(*this, {"design secret.json", {"secret.json", "Permission denied"}});
+}
+
+BOOST_FIXTURE_TEST_CASE(a_directory_that_takes_no_file_is_refused, Sandbox) {
+  fs::create_directory(path("sealed"));
+  fs::permissions(path("sealed"), fs::perms::owner_read | fs::perms::owner_exec);
+  if (::access(path("sealed").c_str(), W_OK) == 0) {
+    BOOST_TEST_MESSAGE("skipped: this user may write everywhere");
+    return;
+  }
+  check_refused(*this, {"design --v0 1 --p 1 --beta 0.9 --output sealed/new.json",
+                        {"output", "sealed/new.json"}});
+}
 
 BOOST_AUTO_TEST_SUITE_END()
