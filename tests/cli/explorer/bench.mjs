@@ -3,9 +3,12 @@
 // STILLPOINT_PAGE, STILLPOINT_PROGRAM, STILLPOINT_BROWSER.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
-import { resolve } from "node:path";
-import { pathToFileURL } from "node:url";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { after, before } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
 
 /**
  * @typedef {import("playwright-core").Page} Page
@@ -20,25 +23,23 @@ const { chromium } = /** @type {import("playwright-core")} */ (
 
 const page_file = resolve(process.env.STILLPOINT_PAGE ?? "build/explorer/stillpoint.html");
 export const address = pathToFileURL(page_file).href;
-const program_file = process.env.STILLPOINT_PROGRAM ?? "build/release/cli/stillpoint";
+export const program_file = process.env.STILLPOINT_PROGRAM ?? "build/release/cli/stillpoint";
 
 export const file = page_file;
+export const records = fileURLToPath(new URL("../../../data/records/", import.meta.url));
 export const isolator = "velocity=0.4m/s&period=2.8s&max-displacement=150mm&mass=1200t";
 
 /** @type {import("playwright-core").Browser | undefined} */
 let browser;
 
-export async function start() {
+before(async () => {
   // The sandbox of the browser needs rights that a container lacks; this page is our own.
   browser = await chromium.launch({
     executablePath: process.env.STILLPOINT_BROWSER ?? "/usr/bin/chromium",
     args: ["--no-sandbox"],
   });
-}
-
-export async function end() {
-  await browser?.close();
-}
+});
+after(() => browser?.close());
 
 /**
  * Opens the page, lets `visit` try something, and sees that nothing was loaded and nothing went wrong.
@@ -115,6 +116,57 @@ export function numbers(page) {
       }),
     ),
   );
+}
+
+/** Which the page shows of a report. @param {any} report @returns {Record<string, any>} */
+export function numbers_of({ design, physical, cases }) {
+  const response = cases[0].motions[0]?.response;
+  const of = (/** @type {() => number} */ value) => (design ? value() : null);
+  return {
+    f: of(() => design.f),
+    delta: of(() => physical?.delta_m ?? design.delta),
+    tolerance: of(() => design.tolerance),
+    peak: of(() => physical?.peak_m ?? response.peak_amplitude),
+    "stop-time": of(() => physical?.stop_time_s ?? response.stop_time),
+  };
+}
+
+/**
+ * And of a given damper: as it is judged, and its motion.
+ * @param {string} judged @param {string} moved @param {string[]} left_out of the latter
+ */
+export function numbers_of_damper(judged, moved, left_out) {
+  const report = program(["region", ...words_of(judged)]);
+  const motion = program(["simulate", ...words_of(moved, left_out)]);
+  const wanted = {
+    f: report.design.f,
+    delta: report.physical?.delta_m ?? report.design.delta,
+    tolerance: report.design.tolerance,
+    peak: motion.physical?.peak_m ?? motion.response.peak_amplitude,
+    "stop-time": motion.physical?.stop_time_s ?? motion.response.stop_time,
+  };
+  return { report, wanted };
+}
+
+/** The options in the address. @param {Page} page */
+export function state(page) {
+  return page.evaluate(() => location.hash.slice(1));
+}
+
+/** How many pages it has on paper. @param {Page} page */
+export async function sheets(page) {
+  const paper = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
+  return paper.match(/\/Type\s*\/Page\b/g)?.length ?? 0;
+}
+
+/** A folder for as long as it is used. @param {(folder: string) => Promise<void>} use */
+export async function with_folder(use) {
+  const folder = mkdtempSync(join(tmpdir(), "explorer-"));
+  try {
+    await use(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }
 
 /** What an element says. @param {Page} page @param {string} selector */

@@ -2,19 +2,15 @@
 // The numbers of the page are those of the program, to the last digit.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import * as bench from "./bench.mjs";
 import { random_from } from "./random.mjs";
 
 const { go, isolator, numbers, notice, program, settle, with_page, words, words_of } = bench;
 
 /** @typedef {import("./random.mjs").Random} Random */
-
-before(bench.start);
-after(bench.end);
 
 /**
  * A task as a fragment: with units or without, one hit or a range.
@@ -56,21 +52,6 @@ function random_task(random) {
   return task;
 }
 
-/** What the program says about a task without a chosen damper. @param {string} task */
-function design_numbers(task) {
-  const report = program(["design", ...words_of(task)]);
-  if (report.refused) return report;
-  const { design, physical } = report;
-  const response = report.cases[0].motions[0]?.response;
-  return {
-    f: design?.f ?? null,
-    delta: design ? (physical?.delta_m ?? design.delta) : null,
-    tolerance: design?.tolerance ?? null,
-    peak: design ? (physical?.peak_m ?? response.peak_amplitude) : null,
-    "stop-time": design ? (physical?.stop_time_s ?? response.stop_time) : null,
-  };
-}
-
 test("200 random tasks have the program's numbers", () =>
   with_page(isolator, {}, async (page) => {
     const seed = Number(process.env.STILLPOINT_SEED ?? 20261122);
@@ -80,12 +61,13 @@ test("200 random tasks have the program's numbers", () =>
     for (let i = 0; i < 200; i++) {
       const task = random_task(random);
       await go(page, task);
-      const wanted = design_numbers(task);
-      if (wanted.refused) {
-        assert.ok(wanted.refused.includes(await notice(page)), `${task}: ${wanted.refused}`);
+      const report = program(["design", ...words_of(task)]);
+      if (report.refused) {
+        assert.ok(report.refused.includes(await notice(page)), `${task}: ${report.refused}`);
         continue;
       }
       assert.equal(await notice(page), "", task);
+      const wanted = bench.numbers_of(report);
       assert.deepEqual(await numbers(page), wanted, task);
       if (wanted.f !== null) designs++;
     }
@@ -103,16 +85,10 @@ test("a damper set by hand has the numbers of region and simulate", () =>
       const task = physical ? "velocity=0.4&period=2.8&max-displacement=0.15" : "v0=1&p=1&beta=0.8";
       const state = `${task}&f=${f}&delta=${delta}`;
       await go(page, state);
-      const judged = program(["region", ...words_of(state)]);
-      const motion = program(["simulate", ...words_of(state, ["max-displacement", "beta"])]);
-      assert.deepEqual(await numbers(page), {
-        f,
-        delta: judged.physical?.delta_m ?? delta,
-        tolerance: judged.design.tolerance,
-        peak: motion.physical?.peak_m ?? motion.response.peak_amplitude,
-        "stop-time": motion.physical?.stop_time_s ?? motion.response.stop_time,
-      });
-      const broken = judged.constraints.some((/** @type {any} */ one) => !one.satisfied);
+      const left_out = ["max-displacement", "beta"];
+      const { report, wanted } = bench.numbers_of_damper(state, state, left_out);
+      assert.deepEqual(await numbers(page), wanted);
+      const broken = report.constraints.some((/** @type {any} */ one) => !one.satisfied);
       assert.equal(
         await page.evaluate(() => document.querySelector(".overlay.broken") !== null),
         broken,
@@ -130,10 +106,8 @@ test("a damper set by hand has the numbers of region and simulate", () =>
 
 /** Runs what a reader would paste into a shell. @param {string} line */
 function shell(line) {
-  const program_file = process.env.STILLPOINT_PROGRAM ?? "build/release/cli/stillpoint";
-  const run = spawnSync("sh", ["-c", `stillpoint() { '${program_file}' "$@" --json; }; ${line}`], {
-    encoding: "utf8",
-  });
+  const setup = `stillpoint() { '${bench.program_file}' "$@" --json; }`;
+  const run = spawnSync("sh", ["-c", `${setup}; ${line}`], { encoding: "utf8" });
   return JSON.parse(run.stdout);
 }
 
@@ -145,8 +119,7 @@ test("command, scene and link give the same digits", () =>
       await page.keyboard.press("Escape");
       return text;
     };
-    const folder = mkdtempSync(join(tmpdir(), "explorer-"));
-    try {
+    await bench.with_folder(async (folder) => {
       for (const preset of await page.evaluate(() =>
         [...document.querySelectorAll("option")]
           .filter((option) => option.closest("#preset"))
@@ -177,7 +150,5 @@ test("command, scene and link give the same digits", () =>
       assert.equal(judged.design.tolerance, shown.tolerance);
       assert.equal(run.physical.peak_m, shown.peak);
       assert.equal(run.physical.stop_time_s, shown["stop-time"]);
-    } finally {
-      rmSync(folder, { recursive: true });
-    }
+    });
   }));

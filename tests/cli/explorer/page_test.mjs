@@ -2,7 +2,7 @@
 // What the page promises as a page: its size, its controls, its colours, its speed.
 import assert from "node:assert/strict";
 import { statSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import * as bench from "./bench.mjs";
 
 /**
@@ -11,9 +11,6 @@ import * as bench from "./bench.mjs";
  */
 
 const { frame, handle_place, isolator, numbers, settle, with_page } = bench;
-
-before(bench.start);
-after(bench.end);
 
 test("it is one file below 900 kB", () => {
   const bytes = statSync(bench.file).size;

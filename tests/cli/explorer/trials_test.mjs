@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Ten things that someone tries who opens the page for the first time.
 import assert from "node:assert/strict";
-import { mkdtempSync, openSync, closeSync, ftruncateSync, readFileSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync, truncateSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { test } from "node:test";
 import * as bench from "./bench.mjs";
 
 const { drag, go, handle_place, isolator, notice, numbers, settle, type, with_page, words } = bench;
 
 /** @typedef {import("./bench.mjs").Page} Page */
 
-before(bench.start);
-after(bench.end);
+const near_fault = `${bench.records}near_fault_pulse.txt`;
 
 test("a wrong unit is named, and the right one mends it", () =>
   with_page(isolator, {}, async (page) => {
@@ -72,45 +69,34 @@ async function drop(page, name, text) {
   );
 }
 
+/** Waits until the answer under a record has this. @param {Page} page @param {string} text */
+async function until_told(page, text) {
+  await page.waitForFunction(
+    (part) => document.getElementById("record-answer")?.textContent?.includes(part),
+    text,
+  );
+}
+
 test("a record of 100 MB is refused with the bound, and a small one that is dropped is not", () =>
   with_page(isolator, {}, async (page) => {
-    const folder = mkdtempSync(join(tmpdir(), "explorer-"));
-    try {
+    await bench.with_folder(async (folder) => {
       const large = join(folder, "large.txt");
-      const opened = openSync(large, "w");
-      ftruncateSync(opened, 100e6);
-      closeSync(opened);
+      writeFileSync(large, "");
+      truncateSync(large, 100e6);
       await page.setInputFiles("#record-file", large);
       await page.waitForSelector("#record-answer .bad");
       assert.match(
         await words(page, "#record-answer"),
         /large\.txt has 100 MB; this page reads at most 20 MB/,
       );
-    } finally {
-      rmSync(folder, { recursive: true });
-    }
-    const small = new URL("../../../data/records/near_fault_pulse.txt", import.meta.url).pathname;
-    await drop(page, "near_fault_pulse.txt", readFileSync(small, "utf8"));
+    });
+    await drop(page, "near_fault_pulse.txt", readFileSync(near_fault, "utf8"));
     await page.waitForSelector("#record-locked");
-    const shown = await page.getAttribute("#record-locked", "data-value");
     const { f, delta } = await numbers(page);
-    const report = bench.program([
-      ...[
-        "simulate",
-        "--period",
-        "2.8s",
-        "--mass",
-        "1200t",
-        "--f",
-        String(f),
-        "--delta-m",
-        String(delta),
-      ],
-      "--record",
-      small,
-    ]);
-    assert.equal(Number(shown), report.physical.locked_from_s);
+    const damper = `period=2.8s&mass=1200t&f=${f}&delta-m=${delta}`;
+    const report = bench.program(["simulate", ...bench.words_of(`${damper}&record=${near_fault}`)]);
     for (const [id, value] of [
+      ["record-locked", report.physical.locked_from_s],
       ["record-peak", report.physical.peak_m],
       ["record-acceleration", report.response.peak_absolute_acceleration],
       ["record-residual", report.physical.final_position_m],
@@ -157,8 +143,7 @@ test("dragged out of the frame, the damper stays on its edge", () =>
 
 test("printed, it is a specification of two pages", () =>
   with_page(isolator, { colorScheme: "dark" }, async (page) => {
-    const paper = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
-    assert.equal(paper.match(/\/Type\s*\/Page\b/g)?.length, 2);
+    assert.equal(await bench.sheets(page), 2);
     await page.emulateMedia({ media: "print" });
     assert.equal(await page.isVisible("#bench"), false);
     const sheet = await words(page, "#sheet");
@@ -199,8 +184,7 @@ test("printed, it is a specification of two pages", () =>
       `velocity=0.36:0.44&period=2.66:2.94&max-displacement=170mm&mass=1200t&${options}`,
     ]) {
       await go(page, state);
-      const long = (await page.pdf({ preferCSSPageSize: true })).toString("latin1");
-      const pages = long.match(/\/Type\s*\/Page\b/g)?.length ?? 0;
+      const pages = await bench.sheets(page);
       assert.ok(pages >= 1 && pages <= 2, `${pages}: ${state}`);
     }
   }));
@@ -240,7 +224,7 @@ test("of a damped mass the region and its damper are shown, and the best is sear
     await page.click("#verdict button");
     await page.waitForFunction(() => location.hash.includes("delta="), null, { timeout: 60e3 });
     await settle(page);
-    const state = await page.evaluate(() => decodeURIComponent(location.hash.slice(1)));
+    const state = decodeURIComponent(await bench.state(page));
     const best = bench.told("design", `${isolator}&damping=5%`);
     const text = bench.told("region", state);
     assert.ok(text.includes(await said()), `${await said()} in ${text}`);
@@ -258,17 +242,12 @@ test("a record may have any name, and doubts of its units are told", () =>
       ["a#b,c.txt", "a_b_c.txt"],
     ])) {
       await drop(page, name, values(0.1));
-      await page.waitForFunction(
-        (text) => document.getElementById("record-answer")?.textContent?.includes(text),
-        `${shown}: 40 values in g (assumed); the largest load is 0.1`,
-      );
+      await until_told(page, `${shown}: 40 values in g (assumed); the largest load is 0.1`);
       assert.equal(await page.locator("#record-answer .bad:not(#record-verdict)").count(), 0, name);
     }
     // As the program says it of the same values: an ideal notch jolts, which no acceleration tells.
     await drop(page, "jolt.txt", values(0.1));
-    await page.waitForFunction(() =>
-      document.getElementById("record-answer")?.textContent?.includes("jolt.txt"),
-    );
+    await until_told(page, "jolt.txt");
     assert.match(
       await words(page, "#record-answer"),
       /At the notch the velocity jumps by up to [\d.]+ m\/s/,
@@ -283,18 +262,13 @@ test("a record may have any name, and doubts of its units are told", () =>
 
 test("of a damper under a record the page says what the program says", () =>
   with_page("", {}, async (page) => {
-    const path = fileURLToPath(
-      new URL("../../../data/records/near_fault_pulse.txt", import.meta.url),
-    );
     for (const notch of ["", "&notch-width-m=80mm", "&hold=0.05"]) {
       const damper = `f=0.03&delta-m=4mm${notch}`;
       await go(page, `${isolator}&${damper}`);
-      await drop(page, "near_fault_pulse.txt", readFileSync(path, "utf8"));
-      await page.waitForFunction(() =>
-        document.getElementById("record-answer")?.textContent?.includes("near_fault_pulse.txt"),
-      );
+      await drop(page, "near_fault_pulse.txt", readFileSync(near_fault, "utf8"));
+      await until_told(page, "near_fault_pulse.txt");
       await settle(page);
-      const text = bench.told("simulate", `period=2.8s&mass=1200t&${damper}&record=${path}`);
+      const text = bench.told("simulate", `period=2.8s&mass=1200t&${damper}&record=${near_fault}`);
       const said = await words(page, "#record-verdict");
       assert.ok(said.length > 10 && text.includes(said), `${said} in ${text}`);
       const alarms = await page.locator("#record-answer p.caution, #record-answer p.fault").count();
