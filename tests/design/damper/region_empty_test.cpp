@@ -87,6 +87,30 @@ BOOST_AUTO_TEST_CASE(every_conflict_is_explained) {
   BOOST_TEST(admissible_region(exact, {none, 0.06, 0}).feasible);
 }
 
+/// At most f = sqrt(A^2 - (p V0)^2) transmits A: none does below p V0 of the stiffest spring, and
+/// at p V0 f = 0, which leaves no Delta.
+BOOST_AUTO_TEST_CASE(every_conflict_with_the_acceleration_is_explained) {
+  const auto at_most = [](double acceleration, double tolerance = 0) {
+    return Limits{.tolerance = tolerance, .acceleration_max = acceleration};
+  };
+  const Problem stiff{13, 1, 30};
+  check_explained(stiff, at_most(12), Conflict::limit_alone,
+                  {"even without friction the transmitted acceleration is 13 g, above the limit of "
+                   "12 g"});
+  BOOST_TEST(*admissible_region(stiff, at_most(12)).f4 == -5);
+  BOOST_TEST(!constraints(stiff, at_most(12), 0, 50).back().satisfied);
+  check_explained({.v0 = 1, .p = 12, .beta = 30, .p_high = 13}, at_most(12.5),
+                  Conflict::limit_alone, {"is 13 g, above the limit of 12.5 g"});
+  check_explained(stiff, at_most(13), Conflict::stop_against_start, {});
+  // f2 = 7; A = 24.5: f4^2 = 24.25; 7-24-25.
+  const Problem triple{24, 1, 18};
+  check_explained(
+      triple, at_most(24.5), Conflict::amplitude_against_limit,
+      {"needs f >= 7, but a transmitted acceleration within 24.5 g needs f <= 4.92442"});
+  BOOST_TEST(admissible_region(triple, at_most(25)).feasible);
+  BOOST_TEST(!admissible_region(triple, at_most(25, 1e-9)).feasible);
+}
+
 BOOST_AUTO_TEST_CASE(an_amplitude_missed_by_an_ulp_is_explained_in_all_digits) {
   Problem problem{1, 1, 1};
   problem.beta = std::nextafter(admissible_region(problem).beta_min, 0.0);

@@ -12,6 +12,7 @@ using namespace stillpoint::design_test;
 /// Of R: f and Delta themselves are rounded.
 constexpr double rounding = 4e-15;
 
+/// And of the motion; the published criterion admits less.
 BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_any_point_is_that_of_the_map) {
   RandomSource random(401);
   int met = 0;
@@ -27,6 +28,10 @@ BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_any_point_is_that_of_the_map) {
       BOOST_TEST(std::abs(r.value_or(-1) - by_map::tolerance(task, f, delta)) <= rounding);
       BOOST_TEST((!r || admissible(problem, with_tolerance(limits, *r), f, delta)));
       BOOST_TEST((!r || arrival_of(problem, f, delta) == by_map::arrival(problem, f, delta)));
+      const Verdict seen = simulated(task, {f, delta, problem.v0, problem.p});
+      BOOST_TEST((problem.criterion == Criterion::published
+                      ? !r || seen == Verdict::good
+                      : seen != (r ? Verdict::bad : Verdict::good)));
     }
     met += r.has_value();
     later += r && arrival_of(problem, f, delta).value() > 1;
@@ -35,12 +40,14 @@ BOOST_AUTO_TEST_CASE(the_largest_tolerance_of_any_point_is_that_of_the_map) {
   BOOST_TEST(later > 500);
 }
 
+/// Beyond it there is none.
 BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
   RandomSource random(402);
-  for (int i = 0; i < 2000; ++i) {
+  int beyond = 0;
+  for (int i = 0; i < 4000; ++i) {
     const Task task{random_problem(random, 0.75, 0.95), {}};
     const Region region = admissible_region(task.problem);
-    const double distance = random.log_uniform(1e-12, 1e-3);
+    const double distance = (i % 2 == 0 ? 1 : -1) * random.log_uniform(1e-12, 1e-3);
     double f = region.f2 + (region.f3 - region.f2) * random.uniform(0.2, 0.8);
     const double lowest = delta1(task.problem, f).value();
     double delta = lowest + (*region.delta2 - lowest) * 0.5;
@@ -59,9 +66,11 @@ BOOST_AUTO_TEST_CASE(near_every_edge_the_tolerance_is_the_distance_to_it) {
         delta = lowest * (1 + distance);
         break;
     }
-    const double r = largest_tolerance(task.problem, {}, f, delta).value();
+    const double r = largest_tolerance(task.problem, {}, f, delta).value_or(-1);
     BOOST_TEST(std::abs(r - by_map::tolerance(task, f, delta)) <= rounding);
+    beyond += r < 0;
   }
+  BOOST_TEST(beyond == 2000);
 }
 
 BOOST_AUTO_TEST_CASE(any_friction_up_to_that_is_admissible_and_none_beyond) {
