@@ -210,7 +210,7 @@ LoadCase random_case(RandomSource& random, int i) {
     load.pulse = i % 2 == 0 ? Pulse(HalfSine{random.uniform(0.3, 1), random.uniform(0.5, 3)})
                             : Pulse(Rectangle{random.uniform(0.3, 1), random.uniform(0.5, 3)});
   } else {
-    load.records = short_records().cases.front().records;
+    load.records = {short_records().cases.front().records.at(static_cast<std::size_t>(i) % 2)};
   }
   load.limits = {.peak = random.uniform(0.3, 1.5),
                  .acceleration = random.uniform(0.3, 1.5),
@@ -315,17 +315,6 @@ BOOST_AUTO_TEST_CASE(a_map_shows_the_worst_of_the_range) {
     differ += largest(least).residual != largest(most).residual;
   }
   BOOST_TEST(differ > 3);
-}
-
-BOOST_AUTO_TEST_CASE(a_pulse_must_overcome_the_friction_that_holds) {
-  RecordDesignRequest request{.cases = {{.name = "pulse",
-                                         .pulse = Rectangle{0.5, 1},
-                                         .limits = {.peak = 2, .residual = 0, .passages = 0}}},
-                              .breakaway = 2};
-  const RecordDesign judged = design::design(exactly(judge(request, 0.26, 0.3)));
-  BOOST_TEST(judged.constraints.back().name == "start");
-  BOOST_TEST(judged.constraints.back().limit == 0.25, tt::tolerance(1e-8));
-  BOOST_TEST(!judged.constraints.back().satisfied);
 }
 
 // Its friction is some part of the little speed that it leaves, and the check takes steps within

@@ -49,8 +49,8 @@ bool rests(const DampedTask& task, const Oscillator& oscillator, double v0) {
 bool serves(const DampedTask& task, double f, double delta) {
   const Problem& problem = task.problem;
   constexpr int hits = 30;
-  constexpr int springs = 4;
-  constexpr int dampings = 40;
+  const int springs = problem.p_high ? 4 : 1;
+  const int dampings = task.zeta.low < task.zeta.high ? 40 : 1;
   constexpr double let_go = 1 + 2e-5;
   const double weakest =
       std::max(problem.v0_low.value_or(problem.v0), std::sqrt(2 * delta) * let_go);

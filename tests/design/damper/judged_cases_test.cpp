@@ -39,14 +39,21 @@ BOOST_AUTO_TEST_CASE(what_can_be_manufactured_holds_for_the_whole_box) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_hit_that_the_notch_takes_whole_is_told) {
-  const RecordDesignRequest request = exactly(under_hit({0, 0}, 1));
-  for (const auto& [delta, admissible] : {std::pair(0.49, true), std::pair(0.51, false)}) {
-    const RecordDesign judged = design::design(judge(request, 0.2, delta));
-    BOOST_REQUIRE(judged.finding.has_value());
-    BOOST_TEST(judged.finding->admissible == admissible);
-    BOOST_TEST(judged.constraints.back().name == "start");
-    BOOST_TEST(judged.constraints.back().satisfied == admissible);
+/// By a notch that takes V0^2/2 = 0.5, or friction that holds 2 f against k = 0.5.
+BOOST_AUTO_TEST_CASE(what_holds_the_mass_where_it_is_is_told) {
+  const RecordDesignRequest hit = under_hit({0, 0}, 1);
+  const RecordDesignRequest pulse{.cases = {{.name = "pulse",
+                                             .pulse = Rectangle{0.5, 1},
+                                             .limits = {.peak = 2, .residual = 0, .passages = 0}}},
+                                  .breakaway = 2};
+  for (const auto& [request, f, delta, limit] :
+       {std::tuple(hit, 0.2, 0.49, 0.5), {hit, 0.2, 0.51, 0.5}, {pulse, 0.26, 0.3, 0.25}}) {
+    const RecordDesign judged = design::design(exactly(judge(request, f, delta)));
+    const Constraint& start = judged.constraints.back();
+    BOOST_TEST(start.name == "start");
+    BOOST_TEST(start.limit == limit, tt::tolerance(1e-8));
+    BOOST_TEST(start.satisfied == (delta == 0.49));
+    BOOST_TEST((judged.finding && judged.finding->admissible) == start.satisfied);
   }
 }
 
@@ -102,7 +109,9 @@ BOOST_AUTO_TEST_CASE(a_damper_works_up_to_the_ends_and_no_farther) {
     const SuiteDamper damper{1, random.uniform(0.05, 0.3), hit ? random.uniform(0.1, 0.45) : 0.02,
                              hit ? 0 : 0.05};
     const auto holds = [&](const RecordDesignRequest& with) {
-      return is_admissible(with, damper.f, damper.delta);
+      SuiteDamper now = damper;
+      now.p = with.p.low;
+      return hit ? is_admissible(with, now.f, now.delta) : keeps(with, now);
     };
     const auto served = works_for(request, damper);
     BOOST_TEST(served.has_value() == holds(request));

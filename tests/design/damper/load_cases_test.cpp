@@ -75,35 +75,6 @@ BOOST_AUTO_TEST_CASE(one_case_has_the_box_of_the_design_for_its_load) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(figures_are_those_of_each_motion_by_itself) {
-  RandomSource random(3901);
-  for (int i = 0; i < 200; ++i) {
-    const double p = random.uniform(0.5, 2);
-    const SuiteDamper damper{p, random.log_uniform(1e-3, 0.3), random.log_uniform(1e-3, 0.3),
-                             i % 3 == 0 ? random.uniform(0.01, 0.3) : 0};
-    const double v0 = random.uniform(0.3, 2);
-    const HalfSine pulse{random.uniform(0.4, 2), random.uniform(0.5, 5)};
-    const RecordDesignRequest request{
-        .cases = {{.name = "hit", .v0 = v0, .combine = Combine::max},
-                  {.name = "pulse", .pulse = pulse, .combine = Combine::max}},
-        .p = {p, p}};
-    const TaskFigures figures = Suites(request).figures(damper);
-    BOOST_TEST_CONTEXT("damper " << i << ": p = " << p << ", f = " << damper.f
-                                 << ", delta = " << damper.delta << ", width = " << damper.width) {
-      const auto is_that_of = [&](std::size_t in_case, const Start& start, const Excitation& load) {
-        const ForcedResponse one = forced_response({p, damper.f, damper.delta}, start, load, {},
-                                                   Surface{damper.notch_width(), {}});
-        BOOST_TEST(figures[in_case].peak == one.peak_amplitude);
-        BOOST_TEST(figures[in_case].acceleration == one.peak_absolute_acceleration);
-        BOOST_TEST(figures[in_case].residual == std::abs(one.stop_position.value()));
-        BOOST_TEST(figures[in_case].passages == one.zero_passages.value());
-      };
-      is_that_of(0, {0, v0}, NoExcitation{});
-      is_that_of(1, {}, pulse);
-    }
-  }
-}
-
 // A notch without a width that takes all of a hit would hold the mass where it is.
 BOOST_AUTO_TEST_CASE(every_damper_of_a_box_lets_a_hit_start) {
   RecordDesignRequest request{.cases = {hit_case(0.5, 1)}, .objective = SuiteObjective::amplitude};

@@ -325,69 +325,62 @@ BOOST_AUTO_TEST_CASE(each_mend_suffices) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
-  const auto refused = [](const std::string& field,
-                          const std::function<void(RecordDesignRequest&)>& spoil,
-                          const RecordDesignRequest& right = three_samples()) {
-    RecordDesignRequest request = right;
-    spoil(request);
-    test::check_refused(field, [&] { return design::design(request); });
+  using Request = RecordDesignRequest;
+  using Spoil = std::function<void(Request&)>;
+  const auto set = [](const auto& value, auto... members) -> Spoil {
+    return [=](Request& request) { (request.*....*members) = value; };
   };
-  refused("records", [](auto& request) { request.cases.front().records.clear(); });
-  refused("scale", [](auto& request) { request.cases.front().records[0].scale = 0; });
-  refused("p", [](auto& request) { request.p = {2, 1}; });
-  refused("p", [](auto& request) { request.p = {0, 1}; });
-  refused("f", [](auto& request) { request.f = Interval{-1, 1}; });
-  refused("delta", [](auto& request) { request.delta = Interval{1, 0}; });
-  refused("beta", [](auto& request) { request.cases.front().limits.peak = 0; });
-  refused("residual", [](auto& request) { request.cases.front().limits.residual = -1; });
-  refused("acceleration-max", [](auto& request) { request.cases.front().limits.acceleration = 0; });
-  refused("tolerance-f", [](auto& request) { request.tolerance.f = {1, 0}; });
-  refused("tolerance-period", [](auto& request) { request.tolerance.period = {0, -1}; });
-  refused("tolerance", [](auto& request) {
-    request.objective = SuiteObjective::robust;
-    request.tolerance = {{}, {}, {}, {}};
-  });
-  refused("max-displacement", [](auto& request) { request.objective = SuiteObjective::robust; });
-  refused("jump-max-v", [](auto& request) { request.cases.front().limits.jump = -1; });
-  refused("hold", [](auto& request) { request.hold = -1; });
-  refused("notch-width", [](auto& request) { request.width = Interval{0, 0}; });
-  refused("scan_points", [](auto& request) { request.scan_points = 0; });
-  refused("threads", [](auto& request) { request.threads = -1; });
-  const RecordDesignRequest hit = under_hit({0, 0}, 1);
-  refused(
-      "cases", [](auto& request) { request.cases.clear(); }, hit);
-  refused(
-      "v0", [](auto& request) { request.cases[0].v0 = 0; }, hit);
-  refused(
-      "arrivals", [](auto& request) { request.cases[0].limits.passages = -1; }, hit);
-  refused(
-      "k",
-      [](auto& request) {
-        request.cases[0].v0.reset();
-        request.cases[0].pulse = HalfSine{0, 1};
-      },
-      hit);
-  refused(
-      "records", [](auto& request) { request.cases.emplace_back(); }, hit);
-  refused(
-      "delta",
-      [](auto& request) {
-        request.delta = Interval{0.5, 1};
-      },
-      hit);
-  refused(
-      "residual",
-      [](auto& request) {
-        request.width = Interval{0.1, 0.1};
-      },
-      hit);
-  for (const Interval& zeta : {Interval{-0.1, 0.1}, Interval{0.1, 0.05}, Interval{0.1, 1},
-                               Interval{0.1, 0.95}}) {  // it would creep
-    refused(
-        "damping", [&](auto& request) { request.zeta = zeta; }, hit);
-  }
-  refused(
-      "breakaway", [](auto& request) { request.breakaway = 0.9; }, hit);
+  const auto of_case = [](const auto& value, auto... members) -> Spoil {
+    return [=](Request& request) { (request.cases.front().*....*members) = value; };
+  };
+  const auto limit = [&](auto member, double value) {
+    return of_case(value, &LoadCase::limits, member);
+  };
+  const auto tolerance = [&](auto member, const Spread& value) {
+    return set(value, &Request::tolerance, member);
+  };
+  const auto refused = [](const Request& right,
+                          const std::vector<std::pair<std::string, Spoil>>& rows) {
+    for (const auto& [field, spoil] : rows) {
+      Request wrong = right;
+      spoil(wrong);
+      test::check_refused(field, [&] { return design::design(wrong); });
+    }
+  };
+  refused(three_samples(),
+          {{"records", of_case(std::vector<SuiteRecord>(), &LoadCase::records)},
+           {"scale", [](Request& request) { request.cases.front().records[0].scale = 0; }},
+           {"p", set(Interval{2, 1}, &Request::p)},
+           {"p", set(Interval{0, 1}, &Request::p)},
+           {"f", set(Interval{-1, 1}, &Request::f)},
+           {"delta", set(Interval{1, 0}, &Request::delta)},
+           {"beta", limit(&SuiteLimits::peak, 0)},
+           {"residual", limit(&SuiteLimits::residual, -1)},
+           {"acceleration-max", limit(&SuiteLimits::acceleration, 0)},
+           {"jump-max-v", limit(&SuiteLimits::jump, -1)},
+           {"tolerance-f", tolerance(&SuiteTolerance::f, {1, 0})},
+           {"tolerance-period", tolerance(&SuiteTolerance::period, {0, -1})},
+           {"max-displacement", set(SuiteObjective::robust, &Request::objective)},
+           {"hold", set(-1, &Request::hold)},
+           {"notch-width", set(Interval{0, 0}, &Request::width)},
+           {"scan_points", set(0, &Request::scan_points)},
+           {"threads", set(-1, &Request::threads)}});
+  Request exact = exactly(three_samples());
+  exact.objective = SuiteObjective::robust;
+  refused(exact, {{"tolerance", [](Request&) {}}});
+  refused(under_hit({0, 0}, 1),
+          {{"cases", set(std::vector<LoadCase>(), &Request::cases)},
+           {"records", set(std::vector<LoadCase>(2), &Request::cases)},
+           {"v0", of_case(0, &LoadCase::v0)},
+           {"k", of_case(LoadCase{.name = "pulse", .pulse = HalfSine{0, 1}})},
+           {"arrivals", limit(&SuiteLimits::passages, -1)},
+           {"delta", set(Interval{0.5, 1}, &Request::delta)},
+           {"residual", set(Interval{0.1, 0.1}, &Request::width)},
+           {"damping", set(Interval{-0.1, 0.1}, &Request::zeta)},
+           {"damping", set(Interval{0.1, 0.05}, &Request::zeta)},
+           {"damping", set(Interval{0.1, 1}, &Request::zeta)},
+           {"damping", set(Interval{0.1, 0.95}, &Request::zeta)},  // it would creep
+           {"breakaway", set(0.9, &Request::breakaway)}});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
