@@ -155,4 +155,29 @@ BOOST_AUTO_TEST_CASE(the_start_of_the_integrator_tips_at_delta2) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_motion_longer_than_allowed_is_not_said_to_stop) {
+  const IntegratedMotion motion = integrate_free_motion({1, 0, 0.01}, 1, map_tolerance, 10);
+  BOOST_TEST(!motion.stopped);
+  BOOST_TEST(motion.half_cycles == 10);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_input_of_the_integrator_is_refused) {
+  const auto refused = [](const std::string& field, const Oscillator& oscillator, double v0,
+                          double tolerance = 1e-12) {
+    test::check_refused(field, [&] { return integrate_free_motion(oscillator, v0, tolerance); });
+  };
+  for (const double wrong : {0.0, -1.0, 1e-151, std::nan(""), double(HUGE_VAL)}) {
+    refused("v0", {1, 0.1, 0.1}, wrong);
+    refused("p", {wrong, 0.1, 0.1}, 1);
+  }
+  for (const double wrong : {-1.0, std::nan(""), double(HUGE_VAL)}) {
+    refused("f", {1, wrong, 0.1}, 1);
+    refused("delta", {1, 0.1, wrong}, 1);
+  }
+  for (const double wrong : {0.0, 1e-17, 0.1, std::nan("")}) {
+    refused("tolerance", {1, 0.1, 0.1}, 1, wrong);
+  }
+  refused("f, delta", {1, 0, 0}, 1);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -142,44 +142,6 @@ BOOST_AUTO_TEST_CASE(weaker_hits_that_rest_off_centre_have_a_row) {
   BOOST_TEST(rows[4].satisfied);
 }
 
-BOOST_AUTO_TEST_CASE(every_simulated_point_of_a_box_in_ranges_is_admissible) {
-  constexpr int wanted = 1'000'000;  // points of boxes with a range
-  constexpr int points_of_a_box = 150;
-  int boxes = 0;
-  int points = 0;
-  int in_ranges = 0;
-  int decided = 0;
-  for (std::uint64_t seed = 1'201'000; in_ranges < wanted; ++seed) {
-    RandomSource random(seed);
-    const Task task = any_task(random);
-    const Objective objective = random_objective(random);
-    const auto found = search(task.problem, task.limits, {objective, {}, 20'000, 10});
-    if (!found) {
-      continue;
-    }
-    ++boxes;
-    BOOST_TEST(found->point.tolerance >= task.limits.tolerance, context_of(task));
-    points += points_of_a_box;
-    in_ranges += task.problem.v0_low || task.problem.p_high ? points_of_a_box : 0;
-    int bad = 0;
-    for (int j = 0; j < points_of_a_box; ++j) {
-      std::array<double, 4> part{};
-      for (double& here : part) {
-        here = random.pick(3) == 0 ? random.pick(2) : random.uniform(0, 1);
-      }
-      const Verdict verdict =
-          simulated(task, at_parts(task, found->point, found->point.tolerance, part));
-      decided += verdict != Verdict::undecided;
-      bad += verdict == Verdict::bad;
-    }
-    BOOST_TEST(bad == 0, name(objective) << ", " << context_of(task));
-  }
-  BOOST_TEST(boxes > 150);
-  BOOST_TEST(decided > points / 10 * 9);
-  BOOST_TEST_MESSAGE(points << " points of " << boxes << " boxes, " << in_ranges
-                            << " of them in ranges; " << points - decided << " undecided");
-}
-
 BOOST_AUTO_TEST_CASE(a_design_carries_all_that_its_report_needs) {
   int off_centre = 0;
   int later = 0;

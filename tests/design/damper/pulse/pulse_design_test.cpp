@@ -9,37 +9,23 @@ BOOST_AUTO_TEST_SUITE(pulse_design_test)
 
 using namespace stillpoint::design_test;
 
-/// A design stays a relative 1e-9 inside its edges, and an objective may lose as much on either.
-constexpr double inset = 1e-8;
 /// With a delta_max the scan's best is too large, because it misses maxima of the need.
 constexpr double scan_misses = 0.01;
+/// With ranges it misses what is between its pulses and springs, and the design keeps a reserve
+/// between two lambdas: docs/theory.md section 15.
+constexpr double sampled = 0.01;
 /// The search ends at this tolerance: docs/theory.md section 8.
 constexpr double widest = 0.995;
-
-/// The first point of the box that is not admissible, in words; empty if there is none.
-std::string first_outside(const PulseRequest& request, const DesignPoint& point, double tolerance) {
-  constexpr int steps = 12;
-  const auto& [f_low, f_high, delta_low, delta_high] = request.limits.shape;
-  for (int i = -steps; i <= steps; ++i) {
-    for (const double side : {-delta_low, 0.0, delta_high}) {
-      const double f = point.f * (1 + tolerance * i / steps * (i < 0 ? f_low : f_high));
-      const double delta = point.delta * (1 + tolerance * side);
-      if (!admissible(request, f, delta)) {
-        return "f = " + std::to_string(f) + ", delta = " + std::to_string(delta);
-      }
-    }
-  }
-  return "";
-}
 
 std::vector<Scanned> scan(const PulseRequest& request) {
   constexpr int even = 160;
   constexpr int small = 60;
   const auto& [problem, limits, search] = request;
-  const double k = peak_load(problem.pulse);
+  const double k = problem.ranges.k_low.value_or(peak_load(problem.pulse));
   // Twice as far as a mass with the speed of the whole pulse can pull back; never beyond k.
   const double far =
-      std::min(k, 2 * k * std::numbers::pi * problem.p / angular_frequency(problem.pulse));
+      std::min(k, 2 * peak_load(problem.pulse) * std::numbers::pi *
+                      problem.p_high.value_or(problem.p) / angular_frequency(problem.pulse));
   std::vector<double> grid;
   for (int i = 0; i < small; ++i) {
     grid.push_back(far / even * std::pow(10, -4.0 * (small - i) / small));
@@ -54,7 +40,7 @@ std::vector<Scanned> scan(const PulseRequest& request) {
   std::vector<Scanned> points;
   points.reserve(grid.size());
   for (const double f : grid) {
-    points.push_back(scanned(request, problem.pulse, problem.p, f));
+    points.push_back(worst(request, f));
   }
   return points;
 }
@@ -105,7 +91,8 @@ BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_has_the_design_that_is
   BOOST_TEST(finding.point.delta >= 0.24 / (1 - 3.0 / 7));
   BOOST_TEST(least_delta(request.problem, 0.1).value() == 0.24, close);
   BOOST_TEST(!least_delta(request.problem, 0.26).has_value());
-  BOOST_TEST(first_outside(request, {0.17427, 0.42267, 0}, 0.416) == "");
+  RandomSource random(20261121);
+  BOOST_TEST(outside(request, {0.17427, 0.42267, 0.416}, 200, random) == 0);
   BOOST_TEST(design::design(request_of(Rectangle{0.5, 1}, 0.5001)).finding.has_value());
   BOOST_TEST(!design::design(request_of(Rectangle{0.5, 1}, 0.4999)).finding.has_value());
   PulseRequest too_much = request;
@@ -117,47 +104,64 @@ BOOST_AUTO_TEST_CASE(a_rectangle_of_half_a_natural_period_has_the_design_that_is
   BOOST_TEST(!result.most_tolerant.has_value());
 }
 
+/// With ranges and more room than a pulse alone needs.
+PulseRequest ranged_request(RandomSource& random) {
+  PulseRequest request = ranged(random_request(random), random, 0.25);
+  request.problem.beta *= 1.3;
+  request.limits.tolerance *= random.pick(2) / 3.0;
+  request.limits.f_max.reset();
+  request.search.objective = Objective::robust;
+  return request;
+}
+
+/// One pulse with one spring, or ranges of them.
 BOOST_AUTO_TEST_CASE(random_designs_are_the_best_of_a_scan_and_hold_all_over_their_box) {
   RandomSource random(20261122);
-  int found = 0;
-  int empty = 0;
+  constexpr int tasks = 200;
+  const char* const asked = std::getenv("STILLPOINT_POINTS");
+  const int points = asked == nullptr ? 400 : std::atoi(asked) / tasks;
+  std::array<int, 2> found{};
+  std::array<int, 2> empty{};
   int mend_lists = 0;
-  for (int i = 0; i < 200; ++i) {
-    const PulseRequest request = random_request(random);
+  for (int i = 0; i < tasks; ++i) {
+    const bool in_ranges = i % 14 == 0;
+    const PulseRequest request = in_ranges ? ranged_request(random) : random_request(random);
     const auto& [problem, limits, search] = request;
-    const DesignResult result = design::design(request);
-    const std::vector<Scanned> points = scan(request);
-    const double best = best_tolerance(points, limits);
-    BOOST_TEST_CONTEXT("request " << i << ", " << name(problem.pulse) << ", p/lambda "
-                                  << problem.p / angular_frequency(problem.pulse) << ", "
-                                  << name(search.objective)) {
-      if (!result.finding) {
-        ++empty;
-        BOOST_TEST(best < limits.tolerance);
-        BOOST_TEST(result.reason.has_value());
+    const std::vector<Scanned> scanned = scan(request);
+    const double best = best_tolerance(scanned, limits);
+    BOOST_TEST_CONTEXT("request " << i << ": " << context_of(request)) {
+      if (!design::damper(request)) {
+        ++empty[in_ranges ? 1 : 0];
+        BOOST_TEST(best < limits.tolerance + (in_ranges ? sampled : 0));
         constexpr int enough = 4;  // each costs about twenty searches for a design
-        if (mend_lists < enough) {
-          ++mend_lists;
+        if (!in_ranges && ++mend_lists <= enough) {
+          const DesignResult result = design::design(request);
+          BOOST_TEST(result.reason.has_value());
           BOOST_TEST(!result.mends.empty());
           check_mends(request, result.mends);
         }
         continue;
       }
-      ++found;
+      const DesignResult result = design::design(request);
+      BOOST_TEST_REQUIRE(result.finding.has_value());
+      ++found[in_ranges ? 1 : 0];
       const DesignPoint& point = result.finding->point;
       const ForcedResponse& motion = result.finding->pulse.value().response;
       BOOST_TEST(point.tolerance >= limits.tolerance);
-      BOOST_TEST(first_outside(request, point, point.tolerance * (1 - 1e-9)) == "");
+      BOOST_TEST(outside(request, point, points, random) == 0);
       BOOST_TEST(result.finding->cross_check.passed);
       if (search.objective == Objective::robust) {
-        BOOST_TEST(point.tolerance >= std::min(best, widest) * (1 - scan_misses));
+        const double most = std::min(best, widest);
+        BOOST_TEST(point.tolerance >= most - (in_ranges ? sampled : scan_misses * most));
       } else {
-        BOOST_TEST(value_of(search.objective, motion) <= best_value(points, request) * (1 + inset));
+        BOOST_TEST(value_of(search.objective, motion) <=
+                   best_value(scanned, request) * (1 + inset));
       }
     }
   }
-  BOOST_TEST(found >= 120);
-  BOOST_TEST(empty >= 12);
+  BOOST_TEST(found[0] >= 100);
+  BOOST_TEST(found[1] >= 9);
+  BOOST_TEST(empty[0] >= 12);
 }
 
 // The rectangle above admits f from 0.1 to 0.25. From f (1 - 0.5 R) to f (1 + R) fits for
@@ -182,7 +186,8 @@ BOOST_AUTO_TEST_CASE(a_box_with_sides_of_its_own_is_the_one_that_is_known) {
   BOOST_TEST(point.f * (1 + r) == 0.25,
              close);  // the need falls with f, so f is as large as it can be
   BOOST_TEST(2 * (0.5 - low) * (0.5 - 2 * low) * (1 + r) / (1 - r / 4) == 0.2, close);
-  BOOST_TEST(first_outside(request, point, r * (1 - 1e-9)) == "");
+  RandomSource random(20261123);
+  BOOST_TEST(outside(request, point, 200, random) == 0);
 
   // One side alone: f may only grow, and delta not at all. The search ends at 99.5 %.
   request.limits = {.tolerance = 0.5, .shape = {0, 1, 0, 0}};

@@ -8,55 +8,6 @@ BOOST_AUTO_TEST_SUITE(pulse_ranges_test)
 
 using namespace stillpoint::design_test;
 
-/// A design stays a relative 1e-9 inside its edges.
-constexpr double inset = 1e-8;
-/// The scan misses what is between its points, and the design keeps a reserve between two lambdas:
-/// docs/theory.md section 15.
-constexpr double sampled = 0.01;
-/// The search ends at this tolerance.
-constexpr double widest = 0.995;
-
-/// The worst of a grid of pulses and springs.
-Scanned worst(const PulseRequest& request, double f) {
-  Scanned worst{.f = f, .holds = true};
-  for (int i = 0; i < 45 && worst.holds; ++i) {
-    const int strength = i % 3;
-    const int duration = i / 3 % 5;
-    const int spring = i / 15;
-    const Scanned now = scanned(
-        request, at_parts(request.problem, strength / 2.0, duration / 4.0, spring / 2.0), f);
-    worst.holds = now.holds;
-    worst.need = std::max(worst.need, now.need);
-  }
-  return worst;
-}
-
-/// The largest tolerance of a box with its ends on a grid of f; negative without any.
-double scanned_tolerance(const PulseRequest& request) {
-  constexpr int steps = 60;
-  constexpr double least = 1e-3;
-  const PulseProblem& problem = request.problem;
-  const double far =
-      std::min(*problem.ranges.k_low,
-               4 * peak_load(problem.pulse) * *problem.p_high / angular_frequency(problem.pulse));
-  std::vector<Scanned> points;
-  points.reserve(steps + 1);
-  for (int i = 0; i <= steps; ++i) {
-    points.push_back(worst(request, far * std::pow(least, 1 - static_cast<double>(i) / steps)));
-  }
-  return best_tolerance(points, request.limits);
-}
-
-/// With more room than a pulse alone needs.
-PulseRequest random_task(RandomSource& random) {
-  PulseRequest request = ranged(random_request(random), random, 0.25);
-  request.problem.beta *= 1.3;
-  request.limits.tolerance *= random.pick(2) / 3.0;
-  request.limits.f_max.reset();
-  request.search.objective = Objective::robust;
-  return request;
-}
-
 /// For every k from 0.45 to 0.55, with lambda = p.
 PulseRequest rectangles(double beta) {
   return {.problem = {Rectangle{0.55, 1}, 1, beta, Criterion::exact, {.k_low = 0.45}}};
@@ -84,25 +35,6 @@ PulseRequest long_task(RandomSource& random) {
   request.limits.delta_max = random.log_uniform(0.5, 20) * free.need;
   request.search.objective = random.pick(4) == 0 ? Objective::robust : Objective::amplitude;
   return request;
-}
-
-/// How many of the points that are simulated in the box and in the ranges are not admissible.
-int outside(const PulseRequest& request, const DesignPoint& point, int points,
-            RandomSource& random) {
-  const auto part = [&](int i) {
-    return i % 3 == 0 ? random.pick(2) : random.uniform(0, 1);  // corners as well
-  };
-  int bad = 0;
-  for (int i = 0; i < points; ++i) {
-    const double r = point.tolerance * (1 - inset);
-    const double f = point.f * (1 + r * (2 * part(i) - 1));
-    const double delta = point.delta * (1 + r * (2 * part(i) - 1));
-    const double at_k = part(i);
-    const double at_lambda = part(i);
-    const Scanned now = scanned(request, at_parts(request.problem, at_k, at_lambda, part(i)), f);
-    bad += !now.holds || now.need > delta || delta > request.limits.delta_max.value_or(HUGE_VAL);
-  }
-  return bad;
 }
 
 /// How many motions are not admissible on the lines through the box and the ranges along f, k,
@@ -241,26 +173,21 @@ BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_lowest_k_of_full_sines) {
 
 // Of a full sine that short, rounding decides which f just below k return.
 BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_largest_that_returns) {
-  const PulseProblem wide{FullSine{1.2047155469832691, 923013.87476866576},
-                          1.0436008877526362,
-                          1e3,
-                          Criterion::exact,
-                          {.k_low = 1.2047145962736929}};
-  const PulseProblem close{FullSine{4.7688700627827035, 1621359.0090186559},
-                           1.9613948994786308,
-                           1e3,
-                           Criterion::exact,
-                           {.k_low = 4.7688694624414243}};
-  const PulseProblem limited{FullSine{2.8180520305691834, 372421.94560483337},
-                             0.41749736560409195,
-                             1e3,
-                             Criterion::exact,
-                             {.k_low = 2.1505211060951894}};
-  for (const auto& [problem, f_max] : {std::pair<PulseProblem, std::optional<double>>{wide, {}},
-                                       {close, {}},
-                                       {limited, 2.1500585125634753}}) {
-    const PulseRequest request{.problem = problem, .limits = {.f_max = f_max}};
-    const DesignResult result = design::design(request);
+  struct Row {
+    FullSine most;
+    double p;
+    double k_low;
+    std::optional<double> f_max{};
+  };
+  for (const auto& [most, p, k_low, f_max] :
+       {Row{{1.2047155469832691, 923013.87476866576}, 1.0436008877526362, 1.2047145962736929},
+        Row{{4.7688700627827035, 1621359.0090186559}, 1.9613948994786308, 4.7688694624414243},
+        Row{{2.8180520305691834, 372421.94560483337},
+            0.41749736560409195,
+            2.1505211060951894,
+            2.1500585125634753}}) {
+    const DesignResult result = design::design(
+        PulseRequest{{most, p, 1e3, Criterion::exact, {.k_low = k_low}}, {.f_max = f_max}, {}});
     BOOST_TEST(result.intervals.value().back().high <= result.region.f3);
   }
 }
@@ -357,32 +284,6 @@ BOOST_AUTO_TEST_CASE(wrong_pulses_and_ranges_upside_down_are_refused_by_field) {
     BOOST_TEST(in_ranges(0.9, 1.1, wrong) == "p");
   }
   BOOST_TEST(in_ranges(0.9, 1.1, 101) == "lambda");  // the longest is more than a hundred p long
-}
-
-BOOST_AUTO_TEST_CASE(designs_hold_for_every_pulse_and_spring_of_their_ranges) {
-  RandomSource random(20261122);
-  constexpr int tasks = 14;
-  const char* const asked = std::getenv("STILLPOINT_POINTS");
-  const int points = asked == nullptr ? 400 : std::atoi(asked) / tasks;
-  int found = 0;
-  for (int i = 0; i < tasks; ++i) {
-    const PulseRequest task = random_task(random);
-    BOOST_TEST_CONTEXT("task " << i << ": " << context_of(task)) {
-      const double scanned = scanned_tolerance(task);
-      if (!design::damper(task)) {  // whose mends would take a while
-        BOOST_TEST(scanned <= task.limits.tolerance + sampled);
-        continue;
-      }
-      const DesignResult result = design::design(task);
-      BOOST_TEST_REQUIRE(result.finding.has_value());
-      ++found;
-      const DesignPoint& point = result.finding->point;
-      BOOST_TEST(outside(task, point, points, random) == 0);
-      BOOST_TEST(result.finding->cross_check.passed);
-      BOOST_TEST(point.tolerance >= std::min(scanned, widest) - sampled);
-    }
-  }
-  BOOST_TEST(found >= 9);
 }
 
 BOOST_AUTO_TEST_CASE(designs_hold_for_every_long_pulse_of_their_ranges) {

@@ -82,22 +82,6 @@ bool near_an_edge(const PulseRequest& request, double f, double delta) {
   return false;
 }
 
-BOOST_AUTO_TEST_CASE(of_a_rectangle_of_half_a_natural_period_is_known) {
-  const auto close = tt::tolerance(1e-9);
-  const RegionAnswer bounds = answer(half_period());
-  BOOST_TEST(!bounds.admissible.has_value());
-  BOOST_TEST(bounds.strips.empty());
-
-  const RegionAnswer inside = at(half_period(), 0.175, 0.49);
-  BOOST_TEST(inside.delta1_exact.value() == 0.65 * 0.3 / 2, close);
-  BOOST_TEST(inside.delta1_published.value() == (0.65 * 0.3 + 0.175 * 0.175) / 2, close);
-  BOOST_TEST(inside.admissible.value());
-  BOOST_TEST(inside.tolerance.value() == 3.0 / 7, close);
-  BOOST_TEST(inside.practice.has_value());
-  BOOST_TEST(inside.works_for.value().hit.low == 0.35, close);  // 2 f
-  BOOST_TEST(!inside.arrival.has_value());
-}
-
 BOOST_AUTO_TEST_CASE(edges_and_limits_divide_what_is_admissible_from_what_is_not) {
   constexpr double aside = 1e-9;
   constexpr double need = 0.65 * 0.3 / 2;
@@ -181,6 +165,10 @@ BOOST_AUTO_TEST_CASE(is_that_of_the_design_which_is_admissible_in_it) {
         BOOST_TEST((request.problem.criterion == Criterion::exact
                         ? found.delta1_exact
                         : found.delta1_published) == of_design);
+        const double more = std::pow(*region.f / request.problem.p, 2) / 2;
+        BOOST_TEST(found.delta1_published.value() == *found.delta1_exact + more,
+                   tt::tolerance(1e-12));
+        BOOST_TEST((found.practice && !found.arrival));
         BOOST_TEST(found.constraints.size() == designed.finding->constraints.size());
       } else {
         ++empty;
@@ -247,7 +235,7 @@ BOOST_AUTO_TEST_CASE(random_dampers_stand_as_their_own_motion_says) {
     const RegionRequest task = region_of(request);
     const RegionAnswer bounds = answer(task);
     const double far = bounds.region.f3 * 1.3;
-    for (int j = 0; j < 8; ++j) {
+    for (int j = 0; j < 4; ++j) {
       const double f = random.uniform(0, far);
       const double need = least_delta(request.problem, f).value_or(bounds.region.f3);
       const double delta = need * random.uniform(0.5, 3);
@@ -260,7 +248,7 @@ BOOST_AUTO_TEST_CASE(random_dampers_stand_as_their_own_motion_says) {
                                                            << ", request " << i << ", f = " << f
                                                            << ", delta = " << delta);
       BOOST_TEST(violated(answered).empty() == truly);
-      BOOST_TEST(works_for(request.problem, request.limits, f, delta).has_value() == truly);
+      BOOST_TEST(answered.works_for.has_value() == truly);
       (truly ? inside : outside) += 1;
     }
   }

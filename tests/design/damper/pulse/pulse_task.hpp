@@ -121,6 +121,43 @@ inline Scanned scanned(const design::PulseRequest& request, const design::PulseP
   return scanned(request, one.pulse, one.p, f);
 }
 
+/// The worst of a grid of the pulses and springs of the ranges; the figures are those of the last.
+inline Scanned worst(const design::PulseRequest& request, double f) {
+  const bool is_ranged = request.problem.ranges.k_low.has_value();
+  Scanned worst{.f = f, .holds = true};
+  for (int i = 0; i < (is_ranged ? 45 : 1) && worst.holds; ++i) {
+    Scanned now =
+        scanned(request, at_parts(request.problem, i % 3 / 2.0, i / 3 % 5 / 4.0, i / 15 / 2.0), f);
+    now.need = std::max(worst.need, now.need);
+    worst = now;
+  }
+  return worst;
+}
+
+/// A design stays a relative 1e-9 inside its edges.
+inline constexpr double inset = 1e-8;
+
+/// How many of the points that are simulated in the box and in the ranges, corners among them, are
+/// not admissible.
+inline int outside(const design::PulseRequest& request, const design::DesignPoint& point,
+                   int points, RandomSource& random) {
+  const auto part = [&](int i) { return i % 3 == 0 ? random.pick(2) : random.uniform(0, 1); };
+  const auto off = [&](double side, double low, double high) {
+    return 1 + point.tolerance * (1 - inset) * side * (side < 0 ? low : high);
+  };
+  const auto& [f_low, f_high, delta_low, delta_high] = request.limits.shape;
+  int bad = 0;
+  for (int i = 0; i < points; ++i) {
+    const double f = point.f * off(2 * part(i) - 1, f_low, f_high);
+    const double delta = point.delta * off(2 * part(i) - 1, delta_low, delta_high);
+    const double at_k = part(i);
+    const double at_lambda = part(i);
+    const Scanned now = scanned(request, at_parts(request.problem, at_k, at_lambda, part(i)), f);
+    bad += !now.holds || now.need > delta || delta > request.limits.delta_max.value_or(HUGE_VAL);
+  }
+  return bad;
+}
+
 /// The largest tolerance of a box whose ends in f are points of the scan; negative without any.
 inline double best_tolerance(const std::vector<Scanned>& points, const design::Limits& limits) {
   double best = -1;
