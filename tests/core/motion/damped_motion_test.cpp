@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(a_decay_ends_where_its_closed_form_does) {
   }
 }
 
-/// The map of half-cycles is what the rules make of the motion, piece by piece.
+/// The map of half-cycles, damped or not, is what the rules make of the motion, piece by piece.
 BOOST_AUTO_TEST_CASE(the_map_is_the_motion_piece_by_piece) {
   constexpr std::uint64_t seed = 20267;
   BOOST_TEST_MESSAGE("seed " << seed);
@@ -123,7 +123,8 @@ BOOST_AUTO_TEST_CASE(the_map_is_the_motion_piece_by_piece) {
   const int scenes = 4 * forced_scene_count();
   int compared = 0;
   for (int i = 0; i < scenes; ++i) {
-    const double zeta = dice.once_in(3)   ? dice.power_of_ten(-12, -1)
+    const double zeta = dice.once_in(6)   ? 0
+                        : dice.once_in(3) ? dice.power_of_ten(-12, -1)
                         : dice.once_in(2) ? 1 - dice.power_of_ten(-2, -0.1)
                                           : dice.uniform(0.01, 0.99);
     const double v = dice.power_of_ten(-2, 2);
@@ -131,12 +132,16 @@ BOOST_AUTO_TEST_CASE(the_map_is_the_motion_piece_by_piece) {
     const double phi = dice.once_in(7) ? 0 : v * dice.power_of_ten(-2, dice.once_in(9) ? 2 : 0.3);
     const double notch =
         dice.once_in(6) && phi > 0 ? 0 : v * v * dice.power_of_ten(phi > 0 ? -6 : -3, 0.1);
-    Oscillator oscillator = damped(std::max(zeta, 1e-12), phi * p, notch / 2, p);
+    Oscillator oscillator = damped(zeta, phi * p, notch / 2, p);
     oscillator.breakaway = dice.once_in(5) ? dice.power_of_ten(0, 1) : 1;
     const double sign = dice.once_in(2) ? -1 : 1;
     const Start start = dice.once_in(4) ? Start{sign * v / p, 0} : Start{0, sign * v};
     const Response found = free_response(oscillator, start);
-    const Response slow = forced_response(oscillator, start, NoExcitation(), {}, {});
+    // Without damping it runs in pieces only up to an end that is asked for.
+    const auto end = zeta == 0 ? std::optional(found.stop_time.value() + 1 / p) : std::nullopt;
+    const ForcedResponse slow =
+        forced_response(oscillator, start, NoExcitation(), {.t_end = end}, {});
+    BOOST_TEST((!slow.locked_from && !slow.largest_load_while_locked));
     const double margin = slow.decision_margin.value_or(1);
     if (margin < 1e-11) {
       BOOST_TEST(found.decision_margin.value() < 2e-11);
@@ -165,7 +170,9 @@ BOOST_AUTO_TEST_CASE(the_map_is_the_motion_piece_by_piece) {
       near("time", *found.stop_time, *slow.stop_time, *slow.stop_time, lost * rough);
       near("place", *found.stop_position, *slow.stop_position, slow.peak_amplitude, lost);
       near("jump", found.jump, slow.jump, v, lost);
-      near("margin", *found.decision_margin, margin, margin, 1e-2);
+      if (zeta > 0) {  // decision_margin_test has those without damping
+        near("margin", *found.decision_margin, margin, margin, 1e-2);
+      }
       BOOST_TEST(found.arrival_speed.has_value() == slow.arrival_speed.has_value());
       near("arrival", found.arrival_speed.value_or(0), slow.arrival_speed.value_or(0), v, lost);
       BOOST_TEST(std::abs(free_peak(oscillator, start) - found.peak_amplitude) == 0);

@@ -31,27 +31,6 @@ BOOST_AUTO_TEST_CASE(free_motions_by_hand) {
   BOOST_TEST(free_response({1, 0, 0}, {0, 1}).jump == 0);
 }
 
-BOOST_AUTO_TEST_CASE(free_motions_jump_by_the_largest_impulse_of_their_half_cycles) {
-  Dice dice(1201);
-  int at_a_passage = 0;
-  for (int i = 0; i < 3000; ++i) {
-    Scene<> scene = i % 2 == 0 ? moderate_scene(dice) : general_start_scene(dice);
-    (i % 3 == 0 ? scene.f : scene.delta) *= dice.once_in(4) ? 0 : 1;
-    const Response response = free_response(scene.oscillator(), scene.start());
-    if (!response.stop_time || response.half_cycles == 0 ||
-        response.decision_margin.value_or(1) < 1e-9) {
-      continue;
-    }
-    const auto list = first_half_cycles(scene.oscillator(), scene.start(), 100'000);
-    const double expected = largest_impulse(list);
-    BOOST_TEST(std::abs(response.jump - expected) <= rounding * expected,
-               "seed 1201, scene " << i << ": " << scene << ": " << response.jump << ", expected "
-                                   << expected);
-    at_a_passage += list.back().impulse.value_or(0) < expected ? 1 : 0;
-  }
-  BOOST_TEST(at_a_passage > 100);
-}
-
 BOOST_AUTO_TEST_CASE(forced_motions_jump_by_the_largest_impulse_of_their_half_cycles) {
   Dice dice(1202);
   int jumps = 0;

@@ -22,25 +22,6 @@ BOOST_AUTO_TEST_CASE(a_stop_after_the_load_is_not_locked) {
   check_not_locked(run({1, 0.02, 0.1}, {0, 0.1}, NoExcitation{}, 9));
 }
 
-BOOST_AUTO_TEST_CASE(without_a_load_it_is_the_relative_acceleration) {
-  Dice dice(1111);
-  for (int i = 0; i < 300; ++i) {
-    const Scene<> scene = i % 2 == 0 ? moderate_scene(dice) : general_start_scene(dice);
-    const Response free = free_response(scene.oscillator(), scene.start());
-    BOOST_TEST(free.peak_absolute_acceleration == free.peak_acceleration);
-    if (!free.stop_time) {
-      continue;
-    }
-    const ForcedResponse forced =
-        run(scene.oscillator(), scene.start(), NoExcitation{}, *free.stop_time + 1);
-    BOOST_TEST(std::abs(forced.peak_absolute_acceleration - free.peak_acceleration) <=
-                   1e-12 * free.peak_acceleration,
-               scene);
-    check_not_locked(forced);
-  }
-  BOOST_TEST(free_response({1, 0.3, 0}, {0.2, 0}).peak_absolute_acceleration == 0);
-}
-
 constexpr std::size_t looks = 8000;
 
 /// The least distance between two places where friction steps.
