@@ -151,18 +151,20 @@ BOOST_AUTO_TEST_CASE(ends) {
   BOOST_TEST(std::isnan(sin_cos(infinity).sine));
   BOOST_TEST(std::isnan(sin_cos(std::nan("")).cosine));
 
-  BOOST_TEST(elementary::atan2(0.0, 1.0) == 0);
-  BOOST_TEST(elementary::atan2(0.0, -1.0) == pi);
-  BOOST_TEST(elementary::atan2(-0.0, -1.0) == -pi);
-  BOOST_TEST(elementary::atan2(1.0, 0.0) == pi / 2);
-  BOOST_TEST(elementary::atan2(-1.0, 0.0) == -pi / 2);
-  BOOST_TEST(elementary::atan2(1.0, 1.0) == pi / 4);
-  BOOST_TEST(elementary::atan2(most, most) == pi / 4);
-  BOOST_TEST(elementary::atan2(least, least) == pi / 4);
-  BOOST_TEST(elementary::atan2(least, most) == 0);
-  BOOST_TEST(elementary::atan2(most, least) == pi / 2);
-  BOOST_TEST(elementary::atan2(least, -most) == pi);
-  BOOST_TEST(elementary::atan2(infinity, -infinity) == 3 * pi / 4);
+  for (const auto& [y, x, angle] : {std::tuple(0.0, 1.0, 0.0),
+                                    {0.0, -1.0, pi},
+                                    {-0.0, -1.0, -pi},
+                                    {1.0, 0.0, pi / 2},
+                                    {-1.0, 0.0, -pi / 2},
+                                    {1.0, 1.0, pi / 4},
+                                    {most, most, pi / 4},
+                                    {least, least, pi / 4},
+                                    {least, most, 0.0},
+                                    {most, least, pi / 2},
+                                    {least, -most, pi},
+                                    {infinity, -infinity, 3 * pi / 4}}) {
+    BOOST_TEST(elementary::atan2(y, x) == angle);
+  }
   BOOST_TEST(std::isnan(elementary::atan2(std::nan(""), 1)));
   BOOST_TEST(elementary::asin(1.0) == pi / 2);
   BOOST_TEST(elementary::asin(-1.0) == -pi / 2);
