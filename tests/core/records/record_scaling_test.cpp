@@ -15,84 +15,28 @@ double off(double value, double expected) {
   return std::abs(value / expected - 1);
 }
 
-/// Of any length, at even and at uneven times, some of them with stretches of a constant load.
-Record random_record(std::mt19937_64& random) {
-  const auto below = [&random](unsigned count) { return static_cast<double>(random() % count); };
-  Record record{{}, 0.25, {}};
-  double time = 7 * below(2);
-  const bool even = below(2) == 0;
-  for (double left = 2 + below(60); left > 0; --left) {
-    record.values.push_back(!record.values.empty() && below(4) == 0 ? record.values.back()
-                                                                    : below(2001) / 1000 - 1);
-    if (!even) {
-      record.times.push_back(time);
-      time += 0.125 * (1 + below(6));
-    }
-  }
-  record.step = even ? record.step : 0;
-  return record;
-}
-
 BOOST_AUTO_TEST_CASE(peak_has_no_sign) {
   BOOST_TEST(records::peak_acceleration({{0.1, -0.4, 0.3}, 0.01, {}}) == 0.4);
   BOOST_TEST(records::peak_acceleration({{0, 0}, 0.01, {}}) == 0);
 }
 
-/// The largest |y| of y'' + 2 zeta y' + y = -W in theta = p tau, by Runge and Kutta's steps.
-class Stepped {
- public:
-  /// W goes from one value to another while theta grows by `angle`.
-  void follow(double from, double to, double angle) {
-    const double steps = std::ceil(angle / 0.002);
-    const double h = angle / steps;
-    const auto bend = [](double y, double rate, double load) {
-      return -load - 2 * records::spectrum_damping * rate - y;
-    };
-    for (double i = 0; i < steps; ++i) {
-      const auto load = [&](double part) { return from + (to - from) * (i + part) / steps; };
-      const double a = bend(y_, rate_, load(0));
-      const double b = bend(y_ + h / 2 * rate_, rate_ + h / 2 * a, load(0.5));
-      const double c = bend(y_ + h / 2 * (rate_ + h / 2 * a), rate_ + h / 2 * b, load(0.5));
-      const double d = bend(y_ + h * (rate_ + h / 2 * b), rate_ + h * c, load(1));
-      y_ += h * rate_ + h * h / 6 * (a + b + c);
-      rate_ += h / 6 * (a + 2 * b + 2 * c + d);
-      most_ = std::max(most_, std::abs(y_));
-    }
-  }
-  [[nodiscard]] double most() const { return most_; }
-
- private:
-  double y_{0};
-  double rate_{0};
-  double most_{0};
-};
-
-// Between two steps |y| can exceed both by h^2/8 of |y''|, which may be some times |y|.
-BOOST_AUTO_TEST_CASE(spectrum_is_the_largest_of_a_linear_oscillator) {
-  constexpr double tolerance = 1e-5;
-  std::mt19937_64 random(13);
-  for (int i = 0; i < 40; ++i) {
-    const Record record = random_record(random);
-    for (const double p : {0.3, 1.0, 2.0, 7.0}) {
-      Stepped stepped;
-      for (std::size_t j = 0; j + 1 < record.values.size(); ++j) {
-        const double interval =
-            record.times.empty() ? record.step : record.times[j + 1] - record.times[j];
-        stepped.follow(record.values[j], record.values[j + 1], p * interval);
-      }
-      stepped.follow(0, 0, 2 * pi);
-      BOOST_TEST_CONTEXT("record " << i << " of " << record.values.size() << ", p " << p) {
-        BOOST_TEST(off(spectral_acceleration(record, p), stepped.most()) <= tolerance);
-      }
-    }
-  }
-}
-
-// Under a constant load the first turn overshoots the rest by exp(-pi zeta/sqrt(1 - zeta^2)).
-BOOST_AUTO_TEST_CASE(spectrum_of_a_constant_load) {
+// Under a constant load the first turn overshoots the rest by exp(-pi zeta/sqrt(1 - zeta^2)). A
+// push of next to no time leaves the velocity k dt, which takes the oscillator to k dt/p
+// exp(-zeta/s atan2(s, zeta)), s = sqrt(1 - zeta^2), when it is over; between samples W is
+// straight.
+BOOST_AUTO_TEST_CASE(spectrum_of_a_constant_load_and_of_a_push) {
   constexpr double zeta = records::spectrum_damping;
-  const double overshoot = std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
-  BOOST_TEST(off(spectral_acceleration({{0.3, 0.3}, 4, {}}, 1), 0.3 * (1 + overshoot)) <= 1e-14);
+  const double s = std::sqrt(1 - zeta * zeta);
+  for (const double p : {0.3, 1.0, 7.0}) {
+    BOOST_TEST(off(spectral_acceleration({{0.3, 0.3}, 1.2 * pi / p, {}}, p),
+                   0.3 * (1 + std::exp(-pi * zeta / s))) <= 1e-14);
+    const double dt = 1e-9 / p;
+    const double reached = 0.3 * dt * p * std::exp(-zeta / s * std::atan2(s, zeta));
+    for (const Record& push : {Record{{-0.3, -0.3}, dt, {}}, Record{{0, 0.3, 0}, dt, {}},
+                               Record{{0, 0.3, 0}, 0, {7, 7 + 0.5 * dt, 7 + 2 * dt}}}) {
+      BOOST_TEST(off(spectral_acceleration(push, p), reached) <= 1e-5);
+    }
+  }
 }
 
 // A stiff oscillator follows the load, a soft one stands still while the ground moves.
@@ -112,54 +56,45 @@ BOOST_AUTO_TEST_CASE(period_must_be_resolved) {
   BOOST_TEST(*records::mean_interval({{0, 1, 0}, 0, {0, 1, 3}}) == 1.5);
 }
 
+/// Those that have an ending of records and do not begin with text.
 BOOST_AUTO_TEST_CASE(folder_is_its_records) {
   const Folder folder;
-  for (const char* name : {"b.AT2", "a.txt", "C.v2", "d.EW", "d.UD", "readme.md", ".hidden.txt"}) {
-    std::ofstream(folder.path(name)) << "1\n";
-  }
-  fs::create_directory(folder.path("e.txt"));
-  const std::string path = fs::path(folder.path("a.txt")).parent_path().string();
-  const std::vector<std::string> expected{folder.path("C.v2"), folder.path("a.txt"),
-                                          folder.path("b.AT2"), folder.path("d.EW")};
-  BOOST_TEST(records::record_files(path) == expected, tt::per_element());
-  BOOST_TEST(records::record_files("none.txt") == std::vector<std::string>{"none.txt"});
-  check_says(refusal_of<FileError>([&] { return records::record_files(folder.path("e.txt")); }),
-             {"e.txt: this folder has no record", ".AT2 .ASC"});
-}
-
-BOOST_AUTO_TEST_CASE(folder_leaves_out_plain_text) {
-  const Folder folder;
-  const std::vector<std::pair<const char*, const char*>> kept{
+  using Files = std::vector<std::pair<std::string, std::string>>;
+  const Files kept{
+      {"C.v2", "1\n"},
       {"a.AT2", "wrong, but its ending says what it should be\n"},
       {"b.txt", "# a comment\n\n0 1\n"},
       {"c.csv", "time,acceleration\n0,1\n"},  // a record that needs a # in front of its heading
+      {"d.EW", "1\n"},
       {"d.csv", "t;a\n0;1\n"},
       {"e.dat", "NPTS= 1, DT= .1 SEC\n1\n"},
       {"f.txt", "0,1 0,2\n"},
   };
-  const std::vector<std::pair<const char*, const char*>> left{
+  const Files left{
       {"README.txt", "Records of two earthquakes.\nSee the report.\n1\n"},
       {"comments.txt", "# nothing but comments\n"},
       {"flatfile.csv", "-- Summary of the records --\n\nResult ID,RSN,Tp\n1,953,\n"},
   };
-  for (const auto& files : {kept, left}) {
-    for (const auto& [name, text] : files) {
-      std::ofstream(folder.path(name)) << text;
-    }
-  }
-  const auto paths = [&](const auto& files) {
+  const auto paths = [&](const Files& files) {
     std::vector<std::string> list;
-    list.reserve(files.size());
     for (const auto& [name, text] : files) {
+      folder.write(name, text);
       list.push_back(folder.path(name));
     }
     return list;
   };
   const std::string path = fs::path(folder.path("x")).parent_path().string();
-  BOOST_TEST(records::record_files(path) == paths(kept), tt::per_element());
-  BOOST_TEST(records::folder_files(path).plain_text == paths(left), tt::per_element());
-  for (const auto& [name, text] : kept) {
-    fs::remove(folder.path(name));
+  const std::vector<std::string> records = paths(kept);
+  const std::vector<std::string> texts = paths(left);
+  paths({{"d.UD", "1\n"}, {"readme.md", "1\n"}, {".hidden.txt", "1\n"}});
+  fs::create_directory(folder.path("e.txt"));
+  BOOST_TEST(records::record_files(path) == records, tt::per_element());
+  BOOST_TEST(records::folder_files(path).plain_text == texts, tt::per_element());
+  BOOST_TEST(records::record_files("none.txt") == std::vector<std::string>{"none.txt"});
+  check_says(refusal_of<FileError>([&] { return records::record_files(folder.path("e.txt")); }),
+             {"e.txt: this folder has no record", ".AT2 .ASC"});
+  for (const std::string& record : records) {
+    fs::remove(record);
   }
   check_says(refusal_of<FileError>([&] { return records::record_files(path); }),
              {"this folder has no record", "README.txt begins with text"});
