@@ -160,7 +160,7 @@ class EnergyWatcher final : public Finder<MotionEnergies> {
     if constexpr (std::is_same_v<Motion, DampedPiece<double>>) {
       fastest_ = motion.largest_speed({PieceEvent::none, piece.length, to}, fastest_);
     } else {
-      const DampedPiece<double> same(from, motion.rate(), 0, 0);
+      const DampedPiece<double> same(from, motion.rate(), 0, DampedSwing<double>(0));
       fastest_ = same.largest_speed({PieceEvent::none, piece.length, to}, fastest_);
     }
     const double load = piece.direction * piece.load;

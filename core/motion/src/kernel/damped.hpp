@@ -4,6 +4,8 @@
 // A law of friction with viscous damping beside it: docs/damping.md. In the units of
 // forced_run.hpp, where damping takes 2 zeta v.
 
+#include "kernel/damped_terms.hpp"
+
 #include <utility>
 
 namespace stillpoint {
@@ -13,13 +15,14 @@ class Damped : public Law {
  public:
   static constexpr bool damped = true;
 
-  Damped(Law law, Real zeta) : Law(std::move(law)), zeta_(std::move(zeta)) {}
+  Damped(Law law, const Real& zeta) : Law(std::move(law)), swing_(zeta) {}
 
-  [[nodiscard]] const Real& zeta() const { return zeta_; }
-  [[nodiscard]] Real drag(const Real& v) const { return 2 * zeta_ * v; }
+  [[nodiscard]] const DampedSwing<Real>& swing() const { return swing_; }
+  [[nodiscard]] const Real& zeta() const { return swing_.zeta(); }
+  [[nodiscard]] Real drag(const Real& v) const { return 2 * zeta() * v; }
 
  private:
-  Real zeta_;
+  DampedSwing<Real> swing_;
 };
 
 }  // namespace stillpoint

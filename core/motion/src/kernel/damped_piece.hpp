@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -26,28 +27,27 @@ class DampedPiece {
   using End = PieceEnd<Real, Point>;
 
   /// `load` is the size of w.
-  DampedPiece(Point start, Real rate, Real load, Real zeta)
+  DampedPiece(Point start, Real rate, Real load, DampedSwing<Real> swing)
       : start_(std::move(start)),
         rate_(std::move(rate)),
         load_(std::move(load)),
-        zeta_(std::move(zeta)),
-        omega_(swing_rate(zeta_)) {}
+        swing_(std::move(swing)) {}
 
   [[nodiscard]] const Real& rate() const { return rate_; }
 
   /// (D3).
   [[nodiscard]] Point at(const Real& h) const {
-    const DampedTerms<Real> t(h, zeta_);
+    const DampedTerms<Real> t = swing_.after(h);
     const Point& s = start_;
     const Real lever = s.v + rate_;
-    return {s.y + (s.v * (t.sine + 2 * zeta_ * t.versine) + s.a * t.versine - rate_ * t.lag),
+    return {s.y + (s.v * (t.sine + 2 * zeta() * t.versine) + s.a * t.versine - rate_ * t.lag),
             s.v * t.cosine + (s.a * t.sine - rate_ * t.versine),
-            s.a * (t.cosine - 2 * zeta_ * t.sine) - lever * t.sine};
+            s.a * (t.cosine - 2 * zeta() * t.sine) - lever * t.sine};
   }
 
   [[nodiscard]] End first_event(const Real& limit, bool want_arrival) const {
     // Under a constant load it reaches the turn: pieces that creep there would lose v to rounding.
-    const End end = first_turn_or_end(std::min(limit, Real(2 * pi<Real>() / omega_)));
+    const End end = first_turn_or_end(std::min(limit, Real(2 * pi<Real>() / omega())));
     return want_arrival && !(end.at.y < 0) ? arrival_before(end) : end;
   }
 
@@ -55,7 +55,8 @@ class DampedPiece {
   [[nodiscard]] End arrival_before(const End& end) const {
     const auto y = [](const Point& at) { return at.y; };
     const auto v = [](const Point& at) { return at.v; };
-    const auto [h, at] = zero_between(y, v, {Real(0), start_}, {end.h, end.at});
+    const auto a = [](const Point& at) { return at.a; };
+    const auto [h, at] = zero_between(y, v, a, {Real(0), start_}, {end.h, end.at});
     return {PieceEvent::arrival, h, at};
   }
 
@@ -77,14 +78,17 @@ class DampedPiece {
   [[nodiscard]] Real largest_transmitted(const Real& phi, const End& end,
                                          const Real& so_far) const {
     const auto size = [&](const Point& at) {
-      return magnitude(Real(at.y + phi + 2 * zeta_ * at.v));
+      return magnitude(Real(at.y + phi + 2 * zeta() * at.v));
     };
-    const Real w = -(start_.a + start_.y + phi + 2 * zeta_ * start_.v);
+    const Real w = -(start_.a + start_.y + phi + 2 * zeta() * start_.v);
     const Real load = std::max(magnitude(w), magnitude(Real(w + rate_ * end.h)));
-    return largest(size, {Real(1), Real(2 * zeta_), Real(0)}, end, so_far, load);
+    return largest(size, {Real(1), Real(2 * zeta()), Real(0)}, end, so_far, load);
   }
 
  private:
+  [[nodiscard]] const Real& zeta() const { return swing_.zeta(); }
+  [[nodiscard]] const Real& omega() const { return swing_.omega(); }
+
   struct Moment {
     Real h;
     Point at;
@@ -99,11 +103,11 @@ class DampedPiece {
     Real operator()(const Point& at) const { return of_v * at.v + of_a * at.a + rest; }
   };
 
-  [[nodiscard]] Mix jerk() const { return {Real(-1), Real(-2 * zeta_), Real(-rate_)}; }
+  [[nodiscard]] Mix jerk() const { return {Real(-1), Real(-2 * zeta()), Real(-rate_)}; }
 
   /// (D4).
   [[nodiscard]] Mix slope(const Mix& mix) const {
-    return {Real(-mix.of_a), Real(mix.of_v - 2 * zeta_ * mix.of_a), Real(-mix.of_a * rate_)};
+    return {Real(-mix.of_a), Real(mix.of_v - 2 * zeta() * mix.of_a), Real(-mix.of_a * rate_)};
   }
 
   /// Whether a mix is a sine that decays, as each slope is.
@@ -112,9 +116,9 @@ class DampedPiece {
   /// (D5): the first zero of one after the start; the next follow each pi / omega.
   [[nodiscard]] Real first_zero_of_swing(const Mix& mix) const {
     const Real cosine = mix(start_);
-    const Real sine = (slope(mix)(start_) + zeta_ * cosine) / omega_;
+    const Real sine = (slope(mix)(start_) + zeta() * cosine) / omega();
     const Real angle = elementary::atan2(Real(-cosine), sine);
-    return (angle > 0 ? angle : Real(angle + pi<Real>())) / omega_;
+    return (angle > 0 ? angle : Real(angle + pi<Real>())) / omega();
   }
 
   /// Whether a sine that decays may vanish in (0, h]: only where it changes its sign, if h is
@@ -132,7 +136,7 @@ class DampedPiece {
     Moment left{Real(0), start_};
     const Mix bend = slope(mix);
     if (may_vanish(bend, last)) {
-      for (Real h = first_zero_of_swing(bend); h < last.h; h += pi<Real>() / omega_) {
+      for (Real h = first_zero_of_swing(bend); h < last.h; h += pi<Real>() / omega()) {
         const Moment right{h, at(h)};
         if (!see(left, right)) {
           return;
@@ -167,7 +171,7 @@ class DampedPiece {
       }
       if (!(right.at.v > 0)) {
         const auto a = [](const Point& at) { return at.a; };
-        const auto [h, at] = zero_between(v, a, left, right);
+        const auto [h, at] = zero_between(v, a, jerk(), left, right);
         end = {PieceEvent::turn, h, at};
         return false;
       }
@@ -177,21 +181,18 @@ class DampedPiece {
   }
 
   /// The zero of a function that is monotone between two moments and has no one sign there: by
-  /// Newton's method from a parabola through both, halving where that leaves the bracket.
-  template <class Value, class Slope>
-  [[nodiscard]] Moment zero_between(const Value& value, const Slope& slope_of, const Moment& left,
-                                    const Moment& right) const {
+  /// Newton's method from the parabola at the first, halving where that leaves the bracket.
+  template <class Value, class Slope, class Bend>
+  [[nodiscard]] Moment zero_between(const Value& value, const Slope& slope_of, const Bend& bend_of,
+                                    const Moment& left, const Moment& right) const {
     using std::max;
     using std::sqrt;
     Real low = left.h;
     Real high = right.h;
     const Real from = value(left.at);
     const Real begins = slope_of(left.at);
-    const Real rise = value(right.at) - from;
-    const bool rises = rise > 0;
-    const Real length = high - low;
-    const Real bend = (rise / length - begins) / length;
-    const Real square = max(Real(0), Real(begins * begins - 4 * bend * from));
+    const bool rises = value(right.at) > from;
+    const Real square = max(Real(0), Real(begins * begins - 2 * bend_of(left.at) * from));
     Real h = low + 2 * magnitude(from) / (magnitude(begins) + sqrt(square));
     Real step = high;  // the last one
     if (!(h > low && h < high)) {
@@ -205,12 +206,8 @@ class DampedPiece {
       }
       ((off < 0) == rises ? low : high) = h;
       Real next = h - off / slope_of(now);
-      if (const Real d = next - h; magnitude(d) <= nearby * h) {
-        const Point there = nudged(now, d);
-        const Real correction = value(there) / slope_of(there);
-        if (magnitude(correction) <= magnitude(d) / 4) {
-          return {h + (d - correction), nudged(now, Real(d - correction))};
-        }
+      if (const std::optional<Moment> found = zero_nearby(value, slope_of, {h, now}, next - h)) {
+        return *found;
       }
       const Real size = magnitude(Real(next - h));
       const bool near = step < Real(0x1p-20) * h;
@@ -229,17 +226,60 @@ class DampedPiece {
     }
   }
 
-  /// So short a step, to the fourth power, is below rounding.
-  static constexpr double nearby = std::is_same_v<Real, double> ? 0x1p-18 : 0;
-
-  /// Over such a step.
-  [[nodiscard]] Point nudged(const Point& from, const Real& d) const {
-    const Real third = jerk()(from);
-    const Real snap = slope(jerk())(from);
-    return {from.y + d * (from.v + d * (from.a + d * third / 3) / 2),
-            from.v + d * (from.a + d * (third + d * snap / 3) / 2),
-            from.a + d * (third + d * snap / 2)};
+  /// The zero about d later, by Newton's method on the power series there; none if that is far.
+  template <class Value, class Slope>
+  [[nodiscard]] std::optional<Moment> zero_nearby(const Value& value, const Slope& slope_of,
+                                                  const Moment& from, Real d) const {
+    if (!std::is_same_v<Real, double> || magnitude(d) > std::min(Real(nearby), Real(from.h / 4))) {
+      return std::nullopt;
+    }
+    const Vicinity vicinity(from.at, jerk()(from.at), zeta());
+    Real last = d;
+    for (int corrections = 0; corrections < 3; ++corrections) {
+      const Point there = vicinity.after(d);
+      const Real step = value(there) / slope_of(there);
+      d -= step;
+      // The next would be about step^3 / last^2.
+      if (magnitude(Real(step * step * step)) <=
+          std::numeric_limits<Real>::epsilon() * from.h * last * last) {
+        return Moment{from.h + d, vicinity.after(d)};
+      }
+      last = step;
+    }
+    return std::nullopt;
   }
+
+  /// The fifth power of such a time, over 5!, is below rounding.
+  static constexpr double nearby = 0x1p-10;
+
+  /// What is near a point in time.
+  class Vicinity {
+   public:
+    Vicinity(const Point& at, const Real& jerk, const Real& zeta)
+        : at_(at),
+          d2_(jerk),
+          d3_(-(at.a + 2 * zeta * d2_)),
+          d4_(-(d2_ + 2 * zeta * d3_)),
+          d5_(-(d3_ + 2 * zeta * d4_)) {}
+
+    [[nodiscard]] Point after(const Real& d) const {
+      const auto& [y, v, a] = at_;
+      const Real half = d / 2;
+      const Real third = d * inverse<Real>(3);
+      const Real fourth = d / 4;
+      const Real fifth = d * inverse<Real>(5);
+      return {y + d * (v + half * (a + third * (d2_ + fourth * (d3_ + fifth * d4_)))),
+              v + d * (a + half * (d2_ + third * (d3_ + fourth * (d4_ + fifth * d5_)))),
+              a + d * (d2_ + half * (d3_ + third * (d4_ + fourth * d5_)))};
+    }
+
+   private:
+    const Point& at_;
+    Real d2_;
+    Real d3_;
+    Real d4_;
+    Real d5_;
+  };
 
   /// The largest `size`, which grows or falls where the mix has one sign. It is at most that of a,
   /// which only swings, and of the load.
@@ -247,10 +287,14 @@ class DampedPiece {
   [[nodiscard]] Real largest(const Size& size, const Mix& mix, const End& end, const Real& so_far,
                              const Real& load) const {
     using std::max;
-    Real most = max(so_far, max(size(start_), size(end.at)));
-    const Real sine = (jerk()(start_) + zeta_ * start_.a) / omega_;
+    const Real ends = max(size(start_), size(end.at));
+    Real most = max(so_far, ends);
+    const Real sine = (jerk()(start_) + zeta() * start_.a) / omega();
+    const Real square = start_.a * start_.a + sine * sine;
     const Real room = most - load;
-    if (room > 0 && start_.a * start_.a + sine * sine <= room * room) {
+    const Real swell = (1 + 2 * zeta()) * (end.h * end.h) / 8;
+    const Real below = most - ends;
+    if ((room > 0 && square <= room * room) || swell * swell * square < below * below) {
       return most;
     }
     if (swings(mix)) {
@@ -259,7 +303,7 @@ class DampedPiece {
     const Mix bend = slope(mix);
     stretches(mix, {end.h, end.at}, [&](const Moment& left, const Moment& right) {
       if ((mix(left.at) < 0) != (mix(right.at) < 0)) {
-        const Moment crest = zero_between(mix, bend, left, right);
+        const Moment crest = zero_between(mix, bend, slope(bend), left, right);
         most = max(most, size(crest.at));
       }
       return true;
@@ -272,7 +316,7 @@ class DampedPiece {
   [[nodiscard]] Real at_crests(const Size& size, const Mix& swing, const End& end,
                                Real most) const {
     if (may_vanish(swing, {end.h, end.at})) {
-      for (Real h = first_zero_of_swing(swing); h < end.h; h += pi<Real>() / omega_) {
+      for (Real h = first_zero_of_swing(swing); h < end.h; h += pi<Real>() / omega()) {
         most = std::max(most, size(at(h)));
       }
     }
@@ -282,8 +326,7 @@ class DampedPiece {
   Point start_;
   Real rate_;
   Real load_;
-  Real zeta_;
-  Real omega_;
+  DampedSwing<Real> swing_;
 };
 
 }  // namespace stillpoint

@@ -72,8 +72,9 @@ class LinearDrive {
     return {{from.y, from.v, from.a}, Real(from.direction) * rate_, magnitude(w_)};
   }
 
-  [[nodiscard]] DampedPiece<Real> damped_piece(const Sliding<Real>& from, const Real& zeta) const {
-    return {{from.y, from.v, from.a}, Real(from.direction) * rate_, magnitude(w_), zeta};
+  [[nodiscard]] DampedPiece<Real> damped_piece(const Sliding<Real>& from,
+                                               const DampedSwing<Real>& swing) const {
+    return {{from.y, from.v, from.a}, Real(from.direction) * rate_, magnitude(w_), swing};
   }
 
   [[nodiscard]] typename LinearPiece<Real>::End first_event(const LinearPiece<Real>& piece,
@@ -169,8 +170,8 @@ class HarmonicDrive {
   }
 
   [[nodiscard]] DampedHarmonicPiece<Real> damped_piece(const Sliding<Real>& from,
-                                                       const Real& zeta) const {
-    return {start_of(from), phase_.ratio(), zeta, margin_, magnitude(c_)};
+                                                       const DampedSwing<Real>& swing) const {
+    return {start_of(from), phase_.ratio(), swing.zeta(), margin_, magnitude(c_)};
   }
 
   /// Where a piece from there begins. The flow does not see C, which only moves its centre: (F39).
@@ -300,7 +301,7 @@ class HarmonicDrive {
 template <class Law, class Drive, class Real>
 [[nodiscard]] auto piece_under(const Law& law, Drive& drive, const Sliding<Real>& from) {
   if constexpr (Law::damped) {
-    return drive.damped_piece(from, law.zeta());
+    return drive.damped_piece(from, law.swing());
   } else {
     return drive.piece(from);
   }

@@ -337,7 +337,7 @@ class ForcedRun {
   /// Pieces end at 2 pi, with damping at 2 pi / omega.
   [[nodiscard]] Real longer_than_a_piece() const {
     if constexpr (Law::damped) {
-      return 8 / swing_rate(law_.zeta());
+      return 8 / law_.swing().omega();
     } else {
       return Real(8);
     }

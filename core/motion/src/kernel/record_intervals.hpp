@@ -30,8 +30,9 @@ struct IntervalTerms {
   Real fall{0};    ///< -h / 8
   Real cosine{0};  ///< cos(h/2), or less: between samples |a| is at most that at them over this
   // With damping:
-  Real reach{0};  ///< the sine and 2 zeta times the versine
-  Real drag{0};   ///< the versine and 2 zeta times the sine
+  const DampedSwing<Real>* swing{nullptr};  ///< of the law, which lives longer
+  Real reach{0};                            ///< the sine and 2 zeta times the versine
+  Real drag{0};                             ///< the versine and 2 zeta times the sine
   Real twice_zeta{0};
   Real swell{1};  ///< (D8)
   Real lift{0};
@@ -40,8 +41,10 @@ struct IntervalTerms {
   IntervalTerms() = default;
   explicit IntervalTerms(const Real& length) : IntervalTerms(length, LinearTerms<Real>(length)) {}
 
-  [[nodiscard]] static IntervalTerms damped(const Real& length, const Real& zeta) {
-    IntervalTerms terms(length, DampedTerms<Real>(length, zeta));
+  [[nodiscard]] static IntervalTerms damped(const Real& length, const DampedSwing<Real>& swing) {
+    IntervalTerms terms(length, swing.after(length));
+    const Real& zeta = swing.zeta();
+    terms.swing = &swing;
     const Real growth = exponential_high(Real(zeta * length));
     const Real eighth = length * length / 8;
     terms.reach = terms.sine + 2 * zeta * terms.versine;

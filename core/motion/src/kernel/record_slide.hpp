@@ -24,7 +24,7 @@ template <class Real, class Law>
 void update(IntervalTerms<Real>& terms, const Real& h, const Law& law) {
   if (h != terms.h) {
     if constexpr (Law::damped) {
-      terms = IntervalTerms<Real>::damped(h, law.zeta());
+      terms = IntervalTerms<Real>::damped(h, law.swing());
     } else {
       terms = IntervalTerms<Real>(h);
     }
@@ -89,7 +89,7 @@ struct SlidePoint {
   [[nodiscard]] Piece piece_to(const SlidePoint& next, const IntervalTerms<Real>& t) const {
     const Real rate = (next.w - w) / t.h;
     if constexpr (damped) {
-      return {{y, v, a}, rate, magnitude(w), Real(t.twice_zeta / 2)};
+      return {{y, v, a}, rate, magnitude(w), *t.swing};
     } else {
       return {{y, v, a}, rate};
     }
@@ -166,7 +166,11 @@ template <bool even, class Run, class Real, class AnyCrossing>
       largest = now.piece_to(next, t).largest_acceleration(next.as_end(t), largest);
       matters = threshold(next);
     }
-    now = next;
+    // One by one: a copy of all at once would wait until each has been stored.
+    now.y = next.y;
+    now.v = next.v;
+    now.a = next.a;
+    now.w = next.w;
   }
   s.acceleration = largest;
   s.u = sign * now.y;
