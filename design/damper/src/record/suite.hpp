@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stillpoint/core/forced_motion.hpp>
+#include <stillpoint/design/constraints.hpp>
 #include <stillpoint/design/suite_task.hpp>
 
 #include <array>
@@ -127,6 +128,10 @@ struct SuiteGoal {
                               std::optional<double> SuiteLimits::*limit);
 /// The limits of each case.
 [[nodiscard]] std::vector<SuiteLimits> limits_of(const RecordDesignRequest& request);
+
+/// The limits that are given, as conditions on the worst of a box.
+[[nodiscard]] std::vector<Constraint> constraints_of(const RecordDesignRequest& task,
+                                                     const TaskFigures& worst);
 
 /// Of what is not known, or never rests.
 inline constexpr SuiteFigures unsettled{.settled = false};

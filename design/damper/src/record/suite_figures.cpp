@@ -109,6 +109,22 @@ std::vector<SuiteLimits> limits_of(const RecordDesignRequest& request) {
   return list;
 }
 
+std::vector<Constraint> constraints_of(const RecordDesignRequest& task, const TaskFigures& worst) {
+  std::vector<Constraint> list;
+  for (std::size_t c = 0; c < task.cases.size(); ++c) {
+    for (const SuiteFigureKind& kind : suite_figure_kinds) {
+      if (const std::optional<double>& limit = task.cases[c].limits.*kind.limit) {
+        Constraint& now = list.emplace_back(Constraint::compared(
+            kind.constraint, kind.variable, "<=", worst[c].*kind.value, *limit));
+        now.in_case = task.cases[c].name;
+        now.known = worst[c].settled;
+        now.satisfied = now.satisfied && worst[c].settled;
+      }
+    }
+  }
+  return list;
+}
+
 double excess(const SuiteFigures& figures, const SuiteLimits& limits) {
   if (!figures.settled) {
     return never_rests;

@@ -8,7 +8,6 @@
 #include <stillpoint/design/record_design_result.hpp>
 
 #include <optional>
-#include <vector>
 
 namespace stillpoint::design {
 
@@ -21,9 +20,5 @@ struct ChosenBox {
 /// the box.
 [[nodiscard]] std::optional<ChosenBox> searched(const Suites& suite, RecordDesign& result,
                                                 SuiteWatch& watch);
-
-/// The limits that are given, as conditions on the worst of a box.
-[[nodiscard]] std::vector<Constraint> constraints_of(const RecordDesignRequest& task,
-                                                     const TaskFigures& worst);
 
 }  // namespace stillpoint::design
