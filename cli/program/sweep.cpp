@@ -28,8 +28,7 @@ std::string advice(const std::exception& error, const sweep::LeftRows& left) {
              : ": make room for the rest, then give the same command with --resume";
 }
 
-SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::SweepMap* map,
-                         sweep::Reducer* reducer = nullptr) {
+SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::SweepMap* map) {
   const auto total = sweep::own_entries(spec).count;
   const std::int64_t begun_with = sink.found().rows;
   Progress progress(
@@ -43,7 +42,7 @@ SweepSummary run_watched(const SweepSpec& spec, sweep::RowSink& sink, sweep::Swe
     static_cast<void>(progress.goes_on(rows));
   };
   try {
-    return sweep::run(spec, sink, {progress.stop_token(), show, map, reducer});
+    return sweep::run(spec, sink, {progress.stop_token(), show, map});
   } catch (const std::exception& error) {
     const sweep::LeftRows left = sink.leave();
     if (left.count == 0) {
@@ -66,26 +65,11 @@ void require_complete(const SweepSummary& summary, sweep::RowSink& sink) {
   }
 }
 
-report::ReductionReport reduction_report(const SweepSpec& spec) {
-  if (auto found = report::find_reduction(spec)) {
-    return *std::move(found);
-  }
-  sweep::Reducer reducer(spec);
-  sweep::RowSink none;
-  const SweepSummary summary = run_watched(spec, none, nullptr, &reducer);
-  require_complete(summary, none);
-  return report::reduction_report(spec, summary, reducer.result());
-}
-
 }  // namespace
 
 ExitCode run_sweep(const Settings& settings, Output& output) {
   report::SweepReport report{.spec = sweep_request(settings), .record = settings.text("record")};
   const auto& [spec, summary, map, record] = report;
-  if (spec.reduction) {
-    print_report(reduction_report(spec), settings, output);
-    return exit_done;
-  }
   const bool rows_on_standard_output = sweep::goes_to_standard_output(spec);
   if (rows_on_standard_output) {
     require_no_json(settings, "rows", "output");
@@ -100,19 +84,22 @@ ExitCode run_sweep(const Settings& settings, Output& output) {
   if (map) {
     write_page(settings, Command::sweep, page(report), output);
   }
-  if (!rows_on_standard_output) {
-    output.print(settings.flag("json") ? report::json_text(report::json(report))
-                                       : shown(report, settings));
+  if (rows_on_standard_output) {
+    return exit_done;
+  }
+  Settings printed = settings;
+  if (sweep::keeps_rows(spec)) {
+    printed.drop("output");  // which is written
+  }
+  if (spec.reduction) {
+    print_report(report::reduction_report(spec, summary), printed, output);
+  } else {
+    print_report(report, printed, output);
   }
   return exit_done;
 }
 
 ExitCode run_merge(const MergeFiles& files, Output& output) {
-  sweep::require_apart({"output", files.output}, files.parts);
-  if (report::is_reduction(files.parts.front())) {
-    output.write_file("output", files.output, report::json_text(report::merged(files.parts)));
-    return exit_done;
-  }
   Progress progress([](double bytes, double seconds) {
     return fmt::format("{:.4g} bytes, {:.3g} bytes/s", bytes, bytes / seconds);
   });
@@ -124,9 +111,12 @@ ExitCode run_merge(const MergeFiles& files, Output& output) {
   if (merged.stopped) {
     throw Interrupted("interrupted: nothing is written");
   }
-  if (!sweep::is_standard_output(files.output)) {
-    output.print(
-        fmt::format("{}: {} rows of {} parts\n", files.output, merged.rows, files.parts.size()));
+  if (!merged.whole.state.reduction.row.empty()) {
+    output.write_file("output", files.output,
+                      report::json_text(json(report::ReductionReport{merged.whole})));
+  } else if (!sweep::is_standard_output(files.output)) {
+    output.print(fmt::format("{}: {} rows of {} parts\n", files.output, merged.whole.state.rows,
+                             files.parts.size()));
   }
   return exit_done;
 }

@@ -34,36 +34,46 @@ std::vector<std::string> files_of(std::string_view text) {
   return files;
 }
 
-/// Puts the place of its seal right, with which a part with rows ends, and the same number of bytes
-/// in it: any other is refused.
+/// Puts the place of its seal right, with which a part ends, the same number of bytes in it, and
+/// its digest: any other is refused.
 void seal(std::string& part) {
   constexpr std::size_t digits = 20;
+  constexpr std::size_t tail = 2 * digits + 3;
   constexpr std::string_view bytes = "\"bytes\":";
   const std::size_t place = part.rfind("#stillpoint-part ");
-  if (place == std::string::npos || part.size() < place + digits + 2) {
+  if (place == std::string::npos || part.size() < place + tail) {
     return;
   }
   if (const std::size_t key = part.find(bytes, place); key != std::string::npos) {
     const std::size_t begin = key + bytes.size();
-    const std::size_t end = std::min(part.find(',', begin), part.size() - digits - 1);
+    const std::size_t end = std::min(part.find(',', begin), part.size() - tail);
     part.replace(begin, end - begin, fmt::format("{}", place));
   }
-  part.replace(part.size() - digits - 1, digits, fmt::format("{:020}", place));
+  const std::size_t end = part.size() - tail;
+  sweep::Digest digest;
+  for (const char byte : part.substr(place, end - place)) {
+    digest.add(std::uint64_t{static_cast<unsigned char>(byte)});
+  }
+  part.replace(end, tail, fmt::format(" {:020} {:020}\n", digest.value(), place));
 }
 
 void read_checkpoint(const std::string& path) {
   if (const auto checkpoint = sweep::read_checkpoint(path)) {
-    sweep::PartLabel other = checkpoint->label;
-    require(sweep::difference(checkpoint->label, other).empty(), "a sweep is not itself");
+    sweep::Checkpoint other = *checkpoint;
+    require(sweep::difference(*checkpoint, other).empty(), "a sweep is not itself");
     other.task = "{}";
-    require_short("was " + sweep::difference(checkpoint->label, other));
+    require_short("was " + sweep::difference(*checkpoint, other));
   }
 }
 
-void merge_reductions(const std::vector<std::string>& paths) {
-  // What is printed has no number that is not finite; that is an assertion.
-  static_cast<void>(text(document(report::read_reduction(paths.front()))));
-  static_cast<void>(report::json_text(report::merged(paths)));
+void merge(const std::vector<std::string>& paths) {
+  const sweep::Merged merged = sweep::merge("/dev/null", paths);
+  if (!merged.whole.state.reduction.row.empty()) {
+    // What is printed has no number that is not finite; that is an assertion.
+    const report::ReductionReport report{merged.whole};
+    static_cast<void>(text(document(report)));
+    static_cast<void>(report::json_text(json(report)));
+  }
 }
 
 }  // namespace
@@ -81,7 +91,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     paths.push_back(places.at(paths.size()).path());
   }
   accepted([&] { read_checkpoint(paths.front()); });
-  accepted([&] { merge_reductions(paths); });
-  accepted([&] { static_cast<void>(sweep::merge("/dev/null", paths)); });
+  accepted([&] { merge(paths); });
   return 0;
 }

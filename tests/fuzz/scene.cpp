@@ -145,9 +145,7 @@ void compute(report::SweepReport report, const Settings& settings) {
   const sweep::SweepSpec& spec = report.spec;
   sweep::RowSink rows;
   if (spec.reduction) {
-    sweep::Reducer reducer(spec);
-    const auto summary = sweep::run(spec, rows, {{}, {}, nullptr, &reducer});
-    const auto reduced = report::reduction_report(spec, summary, reducer.result());
+    const auto reduced = report::reduction_report(spec, sweep::run(spec, rows));
     static_cast<void>(settings.flag("json") ? json(reduced).dump() : shown(reduced, settings));
     return;
   }

@@ -6,7 +6,7 @@
 #include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/report/page_frame.hpp>
 #include <stillpoint/sweep/output_file.hpp>
-#include <stillpoint/sweep/part_label.hpp>
+#include <stillpoint/sweep/checkpoint.hpp>
 
 #include <filesystem>
 #include <thread>

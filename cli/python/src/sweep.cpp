@@ -85,29 +85,13 @@ std::optional<sweep::SweepMap> map_of(const SweepSpec& spec) {
   }
 }
 
-/// A part goes to its file as well.
-std::unique_ptr<Sweep> reduced(const Settings& given, const SweepSpec& spec) {
-  report::ReductionReport found = interruptible([&](const std::stop_token& stop) {
-    if (auto before = report::find_reduction(spec)) {
-      return *std::move(before);
-    }
-    sweep::Reducer reducer(spec);
-    sweep::RowSink none;
-    const sweep::SweepSummary summary = sweep::run(spec, none, {stop, {}, nullptr, &reducer});
-    return report::reduction_report(spec, summary, reducer.result());
-  });
-  cli::Output output;
-  cli::print_report(found, given, output, false);
-  output.commit();
-  return std::make_unique<Sweep>(answers::answer_of(std::move(found)), py::none());
-}
-
-std::unique_ptr<Sweep> with_rows(SweepSpec asked, std::optional<std::string> record,
-                                 bool in_memory) {
-  report::SweepReport found{.spec = std::move(asked), .record = std::move(record)};
+std::unique_ptr<Sweep> found_by(const Settings& given, bool in_memory) {
+  report::SweepReport found{.spec = cli::sweep_request(given), .record = given.text("record")};
   const SweepSpec& spec = found.spec;
-  found.map = map_of(spec);
+  const bool with_rows = !spec.reduction;
+  found.map = with_rows ? map_of(spec) : std::nullopt;
   const py::dtype type = dtype_of(spec);
+  in_memory = in_memory && with_rows;
   RowsInMemory memory(in_memory
                           ? static_cast<std::size_t>(sweep::own_entries(spec).count.value_or(0)) *
                                 static_cast<std::size_t>(type.itemsize())
@@ -116,11 +100,20 @@ std::unique_ptr<Sweep> with_rows(SweepSpec asked, std::optional<std::string> rec
     const std::unique_ptr<sweep::RowSink> file = in_memory ? nullptr : sweep::open_rows(spec);
     return sweep::run(spec, file ? *file : memory, {stop, {}, found.map ? &*found.map : nullptr});
   });
-  py::object table = py::none();
-  if (in_memory) {
-    table = memory.take(type);
+  if (with_rows) {
+    py::object table = py::none();
+    if (in_memory) {
+      table = memory.take(type);
+    }
+    return std::make_unique<Sweep>(answers::answer_of(std::move(found)), std::move(table));
   }
-  return std::make_unique<Sweep>(answers::answer_of(std::move(found)), std::move(table));
+  report::ReductionReport reduced = report::reduction_report(spec, found.summary);
+  if (!sweep::keeps_rows(spec)) {
+    cli::Output output;
+    cli::print_report(reduced, given, output, false);
+    output.commit();
+  }
+  return std::make_unique<Sweep>(answers::answer_of(std::move(reduced)), py::none());
 }
 
 std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& options) {
@@ -132,9 +125,7 @@ std::unique_ptr<Sweep> run_sweep(const py::object& scene, const py::kwargs& opti
   std::unique_ptr<Sweep> found = with_places(given, [&] {
     cli::resolve_part(given);
     cli::require_files_apart(Command::sweep, given, std::nullopt);
-    SweepSpec spec = cli::sweep_request(given);
-    return spec.reduction ? reduced(given, spec)
-                          : with_rows(std::move(spec), given.text("record"), in_memory);
+    return found_by(given, in_memory);
   });
   warn_of_doubts(given, Command::sweep);
   return found;

@@ -109,11 +109,11 @@ std::string progress_words(double rows, std::int64_t begun_with,
 }
 
 Document document(const ReductionReport& report) {
-  Document made =
-      document_of("Sweep without rows", report.state, report.kind == sweep::SweepKind::design);
-  const ordered_json& found = report.found;
-  if (!found.at("part").is_null()) {
-    made.answer.row("part", text(report.label.part));
+  Document made = document_of("Sweep without rows", report.found.state,
+                              report.found.kind == sweep::SweepKind::design);
+  const ordered_json found = json(report);
+  if (report.part) {
+    made.answer.row("part", text(*report.part));
   }
   add_columns(made, found.at("columns"));
   for (const ordered_json& best : found.at("best")) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "checkpoint.hpp"
+#include <stillpoint/sweep/checkpoint.hpp>
 
+#include <stillpoint/core/field.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/records/number.hpp>
 #include <stillpoint/sweep/json_text.hpp>
@@ -10,11 +11,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 namespace stillpoint::sweep {
@@ -23,25 +25,132 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr auto schema = "stillpoint/sweep-checkpoint/2";
+constexpr auto schema = "stillpoint/sweep-checkpoint/3";
 constexpr std::string_view mark = "#stillpoint-part ";
 constexpr std::int64_t longest_seal = std::int64_t{1} << 26U;  // a task has axes, maybe long ones
-constexpr std::size_t place_digits = 20;
+constexpr std::int64_t number_digits = 20;
+constexpr std::int64_t largest_count = std::int64_t{1} << 60U;  // some of them can be added
 
-/// Each number with its key.
-template <class Numbers, class Each>
-void for_each_number(Numbers& checkpoint, const Each& each) {
-  auto& [label, state] = checkpoint;
-  each("part", label.part.number);
-  each("parts", label.part.count);
-  each("entries", label.whole.entries);
-  each("list", label.whole.digest);
-  each("rows", state.rows);
-  each("bytes", state.bytes);
-  each("digest", state.digest);
-  each("outcomes", state.outcomes);
-  each("locked", state.locked_outcomes);
-  each("feasible", state.feasible);
+/// The keys of a struct, each with its member.
+template <class Struct>
+constexpr auto keys = nullptr;
+template <class Value>
+constexpr bool has_keys = !std::is_null_pointer_v<std::remove_const_t<decltype(keys<Value>)>>;
+
+template <>
+constexpr std::tuple keys<SweepPart>{Field{"number", &SweepPart::number},
+                                     Field{"count", &SweepPart::count}};
+template <>
+constexpr std::tuple keys<ListExtent>{Field{"entries", &ListExtent::entries},
+                                      Field{"list", &ListExtent::digest}};
+template <>
+constexpr std::tuple keys<RowColumn>{Field{"name", &RowColumn::name},
+                                     Field{"form", &RowColumn::form}};
+template <>
+constexpr std::tuple keys<ReducedRow>{Field{"entry", &ReducedRow::entry},
+                                      Field{"values", &ReducedRow::values}};
+template <>
+constexpr std::tuple keys<BestRows>{
+    Field{"column", &BestRows::column}, Field{"most", &BestRows::most},
+    Field{"largest", &BestRows::largest}, Field{"heap", &BestRows::heap}};
+template <>
+constexpr std::tuple keys<ReducedColumn>{
+    Field{"column", &ReducedColumn::column}, Field{"count", &ReducedColumn::count},
+    Field{"absent", &ReducedColumn::absent}, Field{"infinite", &ReducedColumn::infinite},
+    Field{"least", &ReducedColumn::least},   Field{"largest", &ReducedColumn::largest}};
+template <>
+constexpr std::tuple keys<Histogram>{
+    Field{"column", &Histogram::column}, Field{"edges", &Histogram::edges},
+    Field{"counts", &Histogram::counts}, Field{"below", &Histogram::below},
+    Field{"above", &Histogram::above}};
+template <>
+constexpr std::tuple keys<Reduction>{
+    Field{"row", &Reduction::row}, Field{"columns", &Reduction::columns},
+    Field{"histograms", &Reduction::histograms}, Field{"best", &Reduction::best}};
+template <>
+constexpr std::tuple keys<SweepState>{
+    Field{"rows", &SweepState::rows},         Field{"bytes", &SweepState::bytes},
+    Field{"header", &SweepState::header},     Field{"digest", &SweepState::digest},
+    Field{"outcomes", &SweepState::outcomes}, Field{"locked", &SweepState::locked_outcomes},
+    Field{"feasible", &SweepState::feasible}, Field{"reduction", &SweepState::reduction}};
+/// But for its state, whose keys stand beside these, and its task.
+template <>
+constexpr std::tuple keys<Checkpoint>{Field{"kind", &Checkpoint::kind},
+                                      Field{"part", &Checkpoint::part},
+                                      Field{"whole", &Checkpoint::whole}};
+
+template <class Value>
+concept Sequence = requires(Value& list) {
+  list.size();
+}
+&&!std::is_same_v<Value, std::string>;
+
+/// A double that is not finite becomes null.
+template <class Value>
+ordered_json json_of(const Value& value) {
+  if constexpr (has_keys<Value>) {
+    ordered_json object;
+    for_each_field(keys<Value>, [&](const auto& key) {
+      object[std::string(key.name)] = json_of(value.*key.get);
+    });
+    return object;
+  } else if constexpr (Sequence<Value>) {
+    ordered_json list = ordered_json::array();
+    std::ranges::for_each(value, [&](const auto& one) { list.push_back(json_of(one)); });
+    return list;
+  } else if constexpr (std::is_same_v<Value, double>) {
+    return std::isfinite(value) ? ordered_json(value) : ordered_json();
+  } else {
+    return value;
+  }
+}
+
+/// Throws std::exception for what json_of cannot have made: nlohmann's get casts a number beyond an
+/// integer, which for a double is undefined.
+template <class Value>
+void read(const ordered_json& from, Value& to) {
+  if constexpr (has_keys<Value>) {
+    for_each_field(keys<Value>,
+                   [&](const auto& key) { read(from.at(std::string(key.name)), to.*key.get); });
+  } else if constexpr (Sequence<Value>) {
+    if constexpr (requires { to.resize(1); }) {
+      to.resize(from.is_array() ? from.size() : 0);
+    }
+    if (!from.is_array() || from.size() != to.size()) {
+      throw std::runtime_error("not a list of that length");
+    }
+    for (std::size_t i = 0; i < to.size(); ++i) {
+      read(from[i], to[i]);
+    }
+  } else if constexpr (std::is_enum_v<Value>) {
+    std::uint8_t number = 0;
+    read(from, number);
+    to = static_cast<Value>(number);
+  } else if constexpr (std::is_same_v<Value, double>) {
+    to = from.is_null() ? std::numeric_limits<double>::quiet_NaN() : from.get<double>();
+  } else if constexpr (std::is_integral_v<Value> && !std::is_same_v<Value, bool>) {
+    if (!(from.is_number_unsigned()
+              ? std::in_range<Value>(from.get<std::uint64_t>())
+              : from.is_number_integer() && std::in_range<Value>(from.get<std::int64_t>()))) {
+      throw std::runtime_error("not an integer of that size");
+    }
+    from.get_to(to);
+    if constexpr (std::is_signed_v<Value>) {
+      if (to > largest_count) {
+        throw std::runtime_error("too large to be added");
+      }
+    }
+  } else {
+    from.get_to(to);
+  }
+}
+
+std::string digest_of(std::string_view text) {
+  Digest digest;
+  for (const char byte : text) {
+    digest.add(std::uint64_t{static_cast<unsigned char>(byte)});
+  }
+  return fmt::format("{:0{}}", digest.value(), number_digits);
 }
 
 /// The bytes from..to of a file.
@@ -54,16 +163,19 @@ std::string bytes_of(std::ifstream& file, std::int64_t from, std::int64_t to) {
 
 /// What the last line of a file says behind its mark, and how many bytes are before that line.
 std::pair<std::string, std::int64_t> sealed(std::ifstream& file, std::int64_t size) {
-  constexpr std::int64_t tail = place_digits + 2;  // before the digits " ", then "\n"
+  constexpr std::int64_t tail = 2 * number_digits + 3;  // " ", the digest, " ", digits, "\n"
   const std::string end = size < tail ? "" : bytes_of(file, size - tail, size);
-  const std::string_view digits =
+  const std::string_view numbers =
       std::string_view(end).substr(std::min<std::size_t>(1, end.size()));
-  const std::int64_t place = records::scan_integer(digits.substr(0, place_digits)).value_or(-1);
+  const std::int64_t place =
+      records::scan_integer(
+          numbers.substr(std::min<std::size_t>(number_digits + 1, numbers.size()), number_digits))
+          .value_or(-1);
   if (place < 0 || place > size - tail || size - tail - place > longest_seal) {
     throw std::runtime_error("no place of a seal");
   }
   const std::string line = bytes_of(file, place, size - tail);
-  if (!file || !line.starts_with(mark)) {
+  if (!file || !line.starts_with(mark) || !numbers.starts_with(digest_of(line))) {
     throw std::runtime_error("no seal");
   }
   return {line.substr(mark.size()), place};
@@ -71,10 +183,17 @@ std::pair<std::string, std::int64_t> sealed(std::ifstream& file, std::int64_t si
 
 }  // namespace
 
+std::optional<std::int64_t> Checkpoint::rows() const {
+  const bool exists = 1 <= part.number && part.number <= part.count &&
+                      part.count <= most_sweep_parts && whole.entries >= 0;
+  return exists ? std::optional(range_of(part, whole.entries).count) : std::nullopt;
+}
+
 std::string text(const Checkpoint& checkpoint) {
   ordered_json document{{"schema", schema}};
-  for_each_number(checkpoint, [&](const char* key, const auto& number) { document[key] = number; });
-  document["task"] = ordered_json::parse(checkpoint.label.task);
+  document.update(json_of(checkpoint));
+  document.update(json_of(checkpoint.state));
+  document["task"] = ordered_json::parse(checkpoint.task);
   return document.dump();
 }
 
@@ -82,21 +201,25 @@ Checkpoint parse_checkpoint(std::string_view text) {
   require_json_object(text, {.kind = "checkpoint", .path = ""});
   const auto document = ordered_json::parse(text);
   Checkpoint checkpoint;
-  for_each_number(checkpoint,
-                  [&](const char* key, auto& number) { read_integers(document.at(key), number); });
-  checkpoint.label.task = document.at("task").dump();
+  read(document, checkpoint);
+  read(document, checkpoint.state);
+  checkpoint.task = document.at("task").dump();
   const SweepState& state = checkpoint.state;
-  const auto all = checkpoint.label.rows();
-  const bool counted = checkpoint.label.whole.entries > 0;
+  const auto all = checkpoint.rows();
+  const bool counted = checkpoint.whole.entries > 0;
   if (document.at("schema") != schema || !document.at("task").is_object() || !all ||
-      std::min(state.rows, state.bytes) < 0 || (counted && state.rows > *all)) {
+      std::min({state.rows, state.header, state.bytes - state.header}) < 0 ||
+      (counted && state.rows > *all) || checkpoint.kind > SweepKind::design ||
+      !is_sound(state.reduction)) {
     throw std::runtime_error("not a checkpoint");
   }
   return checkpoint;
 }
 
 std::string seal(const Checkpoint& checkpoint) {
-  return fmt::format("{}{} {:0{}}\n", mark, text(checkpoint), checkpoint.state.bytes, place_digits);
+  const std::string line = fmt::format("{}{}", mark, text(checkpoint));
+  return fmt::format("{} {} {:0{}}\n", line, digest_of(line), checkpoint.state.bytes,
+                     number_digits);
 }
 
 Checkpoint read_seal(const std::string& path) {
@@ -113,8 +236,8 @@ Checkpoint read_seal(const std::string& path) {
   try {
     const auto [line, before] = sealed(file, size);
     Checkpoint checkpoint = parse_checkpoint(line);
-    checkpoint.label.path = path;
-    if (checkpoint.state.bytes != before || checkpoint.label.rows() != checkpoint.state.rows) {
+    checkpoint.path = path;
+    if (checkpoint.state.bytes != before || checkpoint.rows() != checkpoint.state.rows) {
       throw std::runtime_error("not that of a complete part");
     }
     return checkpoint;

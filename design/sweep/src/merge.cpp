@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <stillpoint/sweep/merge.hpp>
 
-#include "checkpoint.hpp"
 #include "posix/part_file.hpp"
 
+#include <stillpoint/core/cancellation.hpp>
 #include <stillpoint/core/input_error.hpp>
 #include <stillpoint/records/file_error.hpp>
 #include <stillpoint/sweep/npy.hpp>
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <fstream>
 #include <string_view>
 #include <utility>
@@ -22,45 +23,93 @@ namespace stillpoint::sweep {
 
 namespace {
 
-[[noreturn]] void refuse_rows(const Checkpoint& part, std::string_view why) {
-  throw records::FileError({.kind = "part", .path = part.label.path}, why);
+constexpr std::int64_t longest_header = std::int64_t{1} << 20U;
+
+[[noreturn]] void refuse_part(const Checkpoint& part, std::string_view why) {
+  throw records::FileError({.kind = "part", .path = part.path}, why);
 }
 
-/// What all parts say of themselves, in order. Throws as merge does.
-std::vector<Checkpoint> read_seals(const std::vector<std::string>& paths) {
-  std::vector<Checkpoint> parts;
-  PartOrder order;
-  parts.reserve(paths.size());
+/// Throws FileError unless the part belongs to the same sweep as the first.
+void require_same_sweep(const Checkpoint& first, const Checkpoint& part) {
+  if (const std::string differs = difference(first, part); !differs.empty()) {
+    refuse_part(part, fmt::format("belongs to a different sweep from {}: {}", first.path, differs));
+  }
+}
+
+/// Throws FileError for a part that appears twice, and InputError for one that is missing.
+void require_each_once(const std::vector<Checkpoint>& ordered) {
+  std::int64_t next = 1;
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    const SweepPart& part = ordered[i].part;
+    if (i > 0 && part == ordered[i - 1].part) {
+      refuse_part(ordered[i],
+                  fmt::format("is part {}, and so is {}", text(part), ordered[i - 1].path));
+    }
+    next += part.number == next ? 1 : 0;
+  }
+  const std::int64_t count = ordered.front().part.count;
+  if (next <= count) {
+    const std::int64_t missing = count - std::ssize(ordered);
+    throw InputError(
+        "part", text(SweepPart{next, count}),
+        missing == 1 ? "is missing" : fmt::format("is missing, the first of {}", missing));
+  }
+}
+
+/// What all parts say of themselves.
+struct Parts {
+  std::vector<Checkpoint> ordered;  ///< what they reduce is in the whole alone
+  Checkpoint whole;                 ///< but for its bytes
+};
+
+/// Throws as merge does.
+Parts read_parts(const std::vector<std::string>& paths) {
+  if (paths.empty()) {
+    throw InputError::missing("part", "name the files of all parts");
+  }
+  Parts parts{{}, read_seal(paths.front())};
+  parts.ordered.reserve(paths.size());
+  Checkpoint& whole = parts.whole;
   for (const std::string& path : paths) {
-    order.add(parts.emplace_back(read_seal(path)).label);
-    parts.back().label.task.clear();  // may be long
+    cancellation_point();
+    Checkpoint& part = parts.ordered.emplace_back(read_seal(path));
+    require_same_sweep(whole, part);
+    part.task.clear();  // may be long
+    try {
+      if (parts.ordered.size() > 1) {
+        whole.state.add(part.state);
+      }
+    } catch (const std::exception&) {
+      refuse_part(part, fmt::format("cannot be added to {}", paths.front()));
+    }
+    part.state.reduction = {};
   }
-  std::vector<Checkpoint> ordered;
-  ordered.reserve(parts.size());
-  for (const std::size_t place : order.places()) {
-    ordered.push_back(std::move(parts[place]));
-  }
-  return ordered;
+  std::ranges::stable_sort(parts.ordered, {},
+                           [](const Checkpoint& one) { return one.part.number; });
+  require_each_once(parts.ordered);
+  whole.part = {};
+  whole.state.digest = whole.whole.digest;
+  return parts;
 }
 
+/// Writes the rows of all parts one after the other.
 class Joiner {
  public:
-  Joiner(RowSink& sink, const MergeWatch& watch) : sink_(sink), watch_(watch) {}
+  Joiner(RowSink& sink, Merged& merged, const MergeWatch& watch)
+      : sink_(sink), merged_(merged), watch_(watch) {}
 
-  Merged join(const std::vector<Checkpoint>& parts) {
+  void join(const std::vector<Checkpoint>& parts) {
     try {
       merged_.stopped =
           !std::ranges::all_of(parts, [this](const Checkpoint& part) { return append(part); });
       if (!merged_.stopped) {
-        sink_.finish(header_);
-        return merged_;
+        return sink_.finish(header_);
       }
     } catch (...) {
       sink_.leave();
       throw;
     }
     sink_.leave();
-    return merged_;
   }
 
  private:
@@ -71,42 +120,41 @@ class Joiner {
 
   /// That of the whole sweep comes first, alone.
   void write_header(const Checkpoint& part, const std::string& header) {
-    const std::string whole = with_rows(header, part.label.whole.entries);
+    const std::string whole = with_rows(header, part.whole.entries);
     if (header_.empty()) {
       write(header_ = whole);
     } else if (whole != header_) {
-      refuse_rows(part, "has numbers in a different byte order");
+      refuse_part(part, "has numbers in a different byte order");
     }
   }
 
   /// Appends the rows of a part. False after a stop.
   bool append(const Checkpoint& part) {
-    std::ifstream file(part.label.path, std::ios::binary);
-    const std::string header = read_header(file);
+    std::ifstream file(part.path, std::ios::binary);
+    std::string header(static_cast<std::size_t>(std::min(part.state.header, longest_header)), '\0');
+    file.read(header.data(), std::ssize(header));
     write_header(part, header);
-    std::int64_t left = part.state.bytes - std::ssize(header);
-    while (left > 0) {
+    for (std::int64_t left = part.state.bytes - std::ssize(header); left > 0;
+         left -= file.gcount()) {
       if (watch_.stop.stop_requested()) {
         return false;
       }
       file.read(buffer_.data(), std::min<std::int64_t>(left, std::ssize(buffer_)));
       if (file.gcount() == 0) {
-        refuse_rows(part, "cannot be read to its end");
+        refuse_part(part, "cannot be read to its end");
       }
       write({buffer_.data(), static_cast<std::size_t>(file.gcount())});
-      left -= file.gcount();
       if (watch_.progress) {
         watch_.progress(merged_);
       }
     }
-    merged_.rows += part.state.rows;
     return true;
   }
 
   RowSink& sink_;
+  Merged& merged_;
   const MergeWatch& watch_;
   std::string header_;
-  Merged merged_;
   std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 20U);
 };
 
@@ -124,14 +172,14 @@ void require_apart(const NamedFile& written, const std::vector<std::string>& par
 Merged merge(const std::string& output, const std::vector<std::string>& parts,
              const MergeWatch& watch) {
   require_apart({"output", output}, parts);
-  const std::vector<Checkpoint> seals = read_seals(parts);
-  const std::unique_ptr<RowSink> sink =
-      open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
-  return Joiner(*sink, watch).join(seals);
-}
-
-Merged merge(RowSink& sink, const std::vector<std::string>& parts, const MergeWatch& watch) {
-  return Joiner(sink, watch).join(read_seals(parts));
+  auto [ordered, whole] = read_parts(parts);
+  Merged merged{std::move(whole)};
+  if (merged.whole.state.reduction.row.empty()) {
+    const std::unique_ptr<RowSink> sink =
+        open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
+    Joiner(*sink, merged, watch).join(ordered);
+  }
+  return merged;
 }
 
 }  // namespace stillpoint::sweep

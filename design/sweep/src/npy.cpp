@@ -6,7 +6,6 @@
 #include <bit>
 #include <cassert>
 #include <cstddef>
-#include <istream>
 
 namespace stillpoint::sweep {
 
@@ -53,23 +52,6 @@ std::string with_rows(std::string header, std::int64_t rows) {
   header.replace(begin, header.find(',', begin) - begin, fmt::format("{}", rows));
   header.resize(header.find_last_not_of(" \n") + 1);
   header.resize(size - 1, ' ');
-  return header + '\n';
-}
-
-std::string read_header(std::istream& file) {
-  std::string header(before_text, '\0');
-  file.read(header.data(), before_text);
-  header.resize(static_cast<std::size_t>(file.gcount()));
-  file.clear();
-  if (header.starts_with(magic) && header.size() == before_text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(header[i]); };
-    header.resize(before_text + byte(8) + 256U * byte(9));
-    file.read(header.data() + before_text,
-              static_cast<std::streamsize>(header.size() - before_text));
-    return header;
-  }
-  file.seekg(0);
-  std::getline(file, header);
   return header + '\n';
 }
 

@@ -29,7 +29,10 @@ Reduction empty_reduction(const SweepSpec& spec) {
   for (const Quantity column : spec.columns) {
     reduction.row.push_back({std::string(name(column, spec.units)), form(column)});
     if (form(column) == Form::number && contains(results(spec.kind), column)) {
-      reduction.columns.emplace_back(place(column));
+      ReducedColumn& reduced = reduction.columns.emplace_back();
+      reduced.column = place(column);
+      reduced.least = {.column = reduced.column};
+      reduced.largest = {.column = reduced.column, .largest = true};
     }
   }
   reduction.histograms.reserve(spec.reduction->histograms.size());
@@ -40,8 +43,8 @@ Reduction empty_reduction(const SweepSpec& spec) {
   }
   reduction.best.reserve(spec.reduction->best.size());
   for (const BestRequest& asked : spec.reduction->best) {
-    reduction.best.emplace_back(place(asked.column), static_cast<std::size_t>(asked.count),
-                                asked.largest);
+    reduction.best.push_back(
+        {place(asked.column), static_cast<std::size_t>(asked.count), asked.largest});
   }
   return reduction;
 }
@@ -68,10 +71,10 @@ struct Share {
 
 /// Entries come in rising order, so of equal values the one that is there is the first.
 void reduce(BestRows& best, const Share& share) {
-  const Eigen::ArrayXd& values = share.values(best.column());
+  const Eigen::ArrayXd& values = share.values(best.column);
   double bar = best.bar();
   for (Index i = share.begin; i < share.end; ++i) {
-    if (std::isfinite(values[i]) && (best.largest() ? values[i] > bar : values[i] < bar)) {
+    if (std::isfinite(values[i]) && (best.largest ? values[i] > bar : values[i] < bar)) {
       best.add(share.row(i));
       bar = best.bar();
     }
@@ -191,9 +194,13 @@ BestRequest parse_best(std::string_view text, const std::vector<Quantity>& colum
   return {column, *count, order == ":largest"};
 }
 
-Reducer::Reducer(const SweepSpec& spec)
+Reducer::Reducer(const SweepSpec& spec, const Reduction& found)
     : columns_(spec.columns),
-      shares_(static_cast<std::size_t>(spec.threads), empty_reduction(spec)) {}
+      shares_(static_cast<std::size_t>(spec.threads), empty_reduction(spec)) {
+  if (!found.row.empty()) {
+    shares_.front() = found;
+  }
+}
 
 void Reducer::add(const SweepBlock& block) {
   const auto threads = static_cast<Index>(shares_.size());

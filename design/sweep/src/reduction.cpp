@@ -2,63 +2,101 @@
 #include <stillpoint/sweep/reduction.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace stillpoint::sweep {
 
 bool BestRows::better(const ReducedRow& one, const ReducedRow& other) const {
-  const double value = one.values[column_];
-  const double rival = other.values[column_];
-  return value != rival ? (largest_ ? value > rival : value < rival) : one.entry < other.entry;
+  const double value = one.values[column];
+  const double rival = other.values[column];
+  return value != rival ? (largest ? value > rival : value < rival) : one.entry < other.entry;
 }
 
 std::vector<ReducedRow> BestRows::rows() const {
-  std::vector<ReducedRow> sorted = heap_;
+  std::vector<ReducedRow> sorted = heap;
   std::ranges::sort(sorted, std::bind_front(&BestRows::better, this));
   return sorted;
 }
 
 double BestRows::bar() const {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  return heap_.size() == most_ ? heap_.front().values[column_] : largest_ ? -infinite : infinite;
+  return heap.size() == most ? heap.front().values[column] : largest ? -infinite : infinite;
 }
 
 void BestRows::add(ReducedRow row) {
   const auto order = std::bind_front(&BestRows::better, this);
-  heap_.push_back(std::move(row));
-  std::ranges::push_heap(heap_, order);
-  if (heap_.size() > most_) {
-    std::ranges::pop_heap(heap_, order);
-    heap_.pop_back();
+  heap.push_back(std::move(row));
+  std::ranges::push_heap(heap, order);
+  if (heap.size() > most) {
+    std::ranges::pop_heap(heap, order);
+    heap.pop_back();
   }
 }
 
 void BestRows::add(const BestRows& other) {
-  std::ranges::for_each(other.heap_, [this](const ReducedRow& row) { add(row); });
+  for (const ReducedRow& row : other.heap) {
+    if (std::isfinite(row.values.at(column))) {
+      add(row);
+    }
+  }
 }
 
+bool is_sound(const Reduction& reduction) {
+  const std::size_t width = reduction.row.size();
+  const auto is_row = [&reduction](const ReducedRow& row) {
+    return std::ranges::equal(reduction.row, row.values, [](const auto& column, double value) {
+      return column.form != Form::outcome || (value >= 0 && value < sweep_outcome_count);
+    });
+  };
+  const auto fits = [&](const BestRows& best) {
+    return best.column < width && best.most >= 1 && best.heap.size() <= best.most &&
+           std::ranges::all_of(best.heap, is_row);
+  };
+  const auto is_column = [&](const ReducedColumn& column) {
+    return column.column < width && fits(column.least) && fits(column.largest);
+  };
+  const auto is_histogram = [width](const Histogram& histogram) {
+    return histogram.column < width && histogram.edges.size() == histogram.counts.size() + 1;
+  };
+  return std::ranges::all_of(reduction.columns, is_column) &&
+         std::ranges::all_of(reduction.histograms, is_histogram) &&
+         std::ranges::all_of(reduction.best, fits);
+}
+
+namespace {
+
+/// Adds each to the one at its place.
+template <class Item>
+void add_each(std::vector<Item>& totals, const std::vector<Item>& more, const auto& add) {
+  if (totals.size() != more.size()) {
+    throw std::invalid_argument("reductions of different sweeps");
+  }
+  for (std::size_t i = 0; i < totals.size(); ++i) {
+    add(totals[i], more[i]);
+  }
+}
+
+}  // namespace
+
 void add(Reduction& total, const Reduction& more) {
-  for (std::size_t i = 0; i < total.columns.size(); ++i) {
-    ReducedColumn& column = total.columns[i];
-    const ReducedColumn& other = more.columns[i];
+  const auto add_count = [](std::int64_t& count, std::int64_t other) { count += other; };
+  add_each(total.columns, more.columns, [](ReducedColumn& column, const ReducedColumn& other) {
     column.count += other.count;
     column.absent += other.absent;
     column.infinite += other.infinite;
     column.least.add(other.least);
     column.largest.add(other.largest);
-  }
-  for (std::size_t i = 0; i < total.histograms.size(); ++i) {
-    Histogram& histogram = total.histograms[i];
-    const Histogram& other = more.histograms[i];
-    std::ranges::transform(histogram.counts, other.counts, histogram.counts.begin(), std::plus());
+  });
+  add_each(total.histograms, more.histograms, [&](Histogram& histogram, const Histogram& other) {
+    add_each(histogram.counts, other.counts, add_count);
     histogram.below += other.below;
     histogram.above += other.above;
-  }
-  for (std::size_t i = 0; i < total.best.size(); ++i) {
-    total.best[i].add(more.best[i]);
-  }
+  });
+  add_each(total.best, more.best, [](BestRows& best, const BestRows& other) { best.add(other); });
 }
 
 }  // namespace stillpoint::sweep

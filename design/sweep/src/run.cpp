@@ -4,13 +4,13 @@
 #include <stillpoint/sweep/sink.hpp>
 
 #include "block.hpp"
-#include "checkpoint.hpp"
 #include "rows.hpp"
 #include "source.hpp"
 #include "step.hpp"
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/records/file_error.hpp>
+#include <stillpoint/sweep/checkpoint.hpp>
 
 #include <fmt/format.h>
 
@@ -58,7 +58,12 @@ class Sweep {
         step_(spec, watch.stop),
         rows_(spec),
         own_(own_entries(spec)),
-        state_(sink.found()) {}
+        state_(sink.found()) {
+    if (spec.reduction) {
+      reducer_.emplace(spec, state_.reduction);
+      state_.reduction = reducer_->result();
+    }
+  }
 
   /// False after a stop.
   bool write_rows() {
@@ -70,14 +75,16 @@ class Sweep {
       sink_.leave();
       return false;
     }
-    if (state_.rows == 0) {
+    if (state_.rows == 0 && !reducer_) {
       write_header();
     }
     if (spec_.part) {
       require_whole();
-      sink_.write(seal({label_of(spec_), state_}));
+      Checkpoint complete = beginning(spec_);
+      complete.state = state_;
+      sink_.write(seal(complete));
     }
-    sink_.finish(rows_.header(state_.rows));
+    sink_.finish(reducer_ ? "" : rows_.header(state_.rows));
     return true;
   }
 
@@ -123,8 +130,9 @@ class Sweep {
   }
 
   void write() {
-    if (watch_.reducer != nullptr) {
-      watch_.reducer->add(block_);
+    if (reducer_) {
+      reducer_->add(block_);
+      state_.reduction = reducer_->result();
     } else {
       write_rows_of_block();
     }
@@ -145,7 +153,10 @@ class Sweep {
     }
   }
 
-  void write_header() { put(rows_.header(own_.count.value_or(0))); }
+  void write_header() {
+    put(rows_.header(own_.count.value_or(0)));
+    state_.header = state_.bytes;
+  }
 
   void put(std::string_view bytes) {
     sink_.write(bytes);
@@ -169,6 +180,7 @@ class Sweep {
   BlockSize size_;
   SweepBlock block_;
   SweepState state_;
+  std::optional<Reducer> reducer_;  ///< takes the rows, which are then not written
 };
 
 }  // namespace

@@ -55,6 +55,16 @@ void SweepState::add(const SweepBlock& block) {
   }
 }
 
+void SweepState::add(const SweepState& part) {
+  rows += part.rows;
+  feasible += part.feasible;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    outcomes[i] += part.outcomes[i];
+    locked_outcomes[i] += part.locked_outcomes[i];
+  }
+  sweep::add(reduction, part.reduction);
+}
+
 std::string summary(const SweepState& state, bool of_designs) {
   if (of_designs) {
     return state.feasible == state.rows && state.rows > 1

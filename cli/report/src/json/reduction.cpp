@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A reduced sweep as JSON; reduction_parts.cpp reads it.
+// A reduced sweep as JSON.
 
 #include "json/head_fields.hpp"
 #include "json/sweep_parts.hpp"
@@ -30,7 +30,7 @@ ordered_json cell_json(double value, Form form) {
                                : ordered_json(value);
 }
 
-constexpr auto reduction_names = std::to_array<std::string_view>({reduction_schema});
+constexpr auto reduction_names = std::to_array<std::string_view>({"stillpoint/sweep-reduction/1"});
 constexpr auto orders = std::to_array<std::string_view>({"largest", "smallest"});
 
 ordered_json row_schema() {
@@ -86,8 +86,8 @@ struct ShownBest : BestRows {
 
   using Now = ShownBest;
   static constexpr std::tuple field_table{
-      Field{"column", [](const auto& now) { return now.columns[now.column()].name; }},
-      Field{"order", [](const auto& now) { return orders.at(now.largest() ? 0 : 1); }, "",
+      Field{"column", [](const auto& now) { return now.columns[now.column].name; }},
+      Field{"order", [](const auto& now) { return orders.at(now.largest ? 0 : 1); }, "",
             one_of(orders)},
       Field{"most", &Now::most, "", at_least_one},
       Field{"rows", [](const auto& now) { return shown(now, now.columns); },
@@ -98,79 +98,71 @@ ordered_json task_schema() {
   return {{"type", "object"}};
 }
 
-struct Reduced : ReductionReport {
-  std::optional<sweep::SweepPart> part;  ///< of a sweep in parts
-  const Reduction& reduction;
-};
 /// A field with those of the reduction.
 template <class Shown>
 constexpr auto of_columns(auto parts) {
-  return [parts](const Reduced& now) {
-    const auto with_row = [&now](const auto& part) { return Shown{part, now.reduction.row}; };
-    return mapped(now.reduction.*parts, with_row);
+  return [parts](const ReductionReport& now) {
+    const Reduction& reduction = now.found.state.reduction;
+    const auto with_row = [&](const auto& part) { return Shown{part, reduction.row}; };
+    return mapped(reduction.*parts, with_row);
   };
 }
 
 constexpr auto reduction_table = [] {
-  using Now = Reduced;
-  using sweep::PartLabel;
+  using Now = ReductionReport;
+  using sweep::Checkpoint;
   using sweep::SweepState;
-  constexpr auto of_motions = [](auto get) { return only_of(false, &Now::kind, &Now::state, get); };
+  constexpr auto kind = in(&Now::found, &Checkpoint::kind);
+  constexpr auto state = in(&Now::found, &Checkpoint::state);
+  constexpr auto of_motions = [=](auto get) { return only_of(false, kind, state, get); };
   return std::tuple_cat(
       head_fields<Now, reduction_names>,
       std::tuple{
-          Field{"kind", &Now::kind}, Field{"part", &Now::part, "null for a whole sweep"},
-          Field{"entries", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::entries),
+          Field{"kind", kind}, Field{"part", &Now::part, "null for a whole sweep"},
+          Field{"entries", in(&Now::found, &Checkpoint::whole, &sweep::ListExtent::entries),
                 "of the whole sweep"},
-          Field{"rows", in(&Now::state, &SweepState::rows), "the entries in this report"},
+          Field{"rows", in(state, &SweepState::rows), "the entries in this report"},
           Field{"outcomes", of_motions(in(&SweepState::outcomes, &outcomes_of)),
                 "how many entries have each; null for designs, like the next two"},
           Field{"locked", of_motions(&SweepState::locked),
                 "motions that the notch holds while the load goes on"},
           Field{"locked_outcomes", of_motions(in(&SweepState::locked_outcomes, &outcomes_of)),
                 "how many of them have each outcome"},
-          Field{"feasible", only_of(true, &Now::kind, &Now::state, &SweepState::feasible),
+          Field{"feasible", only_of(true, kind, state, &SweepState::feasible),
                 "how many designs there are; null for motions"},
-          Field{"row", [](const Now& now) { return mapped(now.reduction.row, &RowColumn::name); },
+          Field{"row",
+                [](const Now& now) {
+                  return mapped(now.found.state.reduction.row, &RowColumn::name);
+                },
                 "the columns of each row below", at_least_one},
           Field{"columns", of_columns<ShownColumn>(&Reduction::columns),
                 "of each result that is a number"},
           Field{"histograms", of_columns<ShownHistogram>(&Reduction::histograms)},
           Field{"best", of_columns<ShownBest>(&Reduction::best)},
-          Field{"list_digest", in(&Now::label, &PartLabel::whole, &sweep::ListExtent::digest),
-                "of the entries of a list"},
           Field{"task",
                 [](const Now&
-                       now) { return Printed<task_schema>{ordered_json::parse(now.label.task)}; },
-                "the options that decide the numbers"},
-          Field{"digest", [](const Now&) { return std::optional<std::uint64_t>(); },
-                "for a part: of everything else in the report"}});
+                       now) { return Printed<task_schema>{ordered_json::parse(now.found.task)}; },
+                "the options that decide the numbers"}});
 }();
 
 }  // namespace
 
-ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary,
-                                 const Reduction& reduction) {
-  Reduced reduced{{label_of(spec), spec.kind, summary.state, {}}, spec.part, reduction};
-  ReductionReport& report = reduced;
-  if (!spec.part) {
-    report.label.whole = {summary.state.rows, summary.state.digest};
+ReductionReport reduction_report(const sweep::SweepSpec& spec, const sweep::SweepSummary& summary) {
+  ReductionReport report{beginning(spec), spec.part};
+  report.found.state = summary.state;
+  if (!spec.part) {  // a list has not been counted before
+    report.found.whole = {summary.state.rows, summary.state.digest};
   }
-  report.found = object_by<reduction_table>(reduced);
-  return std::move(report);
+  return report;
 }
 
 ordered_json json(const ReductionReport& report) {
-  ordered_json result = report.found;
-  result.erase("digest");
-  const bool part = !result.at("part").is_null();
-  result["digest"] = part ? ordered_json(digest_of(result)) : ordered_json(nullptr);
-  return result;
+  return object_by<reduction_table>(report);
 }
 
 ordered_json reduction_report_schema() {
-  return report_schema<Reduced>(
-      reduction_table, reduction_schema, "sweep --reduce --json",
+  return report_schema<ReductionReport>(
+      reduction_table, reduction_names.front(), "sweep --reduce --json",
       "Numbers are dimensionless unless the name of a column ends in a unit");
 }
 

@@ -10,11 +10,6 @@
 
 namespace stillpoint::report {
 
-inline constexpr std::string_view reduction_schema = "stillpoint/sweep-reduction/1";
-
-/// Of everything else in the report of a part.
-[[nodiscard]] std::uint64_t digest_of(const nlohmann::ordered_json& report);
-
 /// How many entries have each outcome.
 [[nodiscard]] nlohmann::ordered_json outcomes_schema();
 [[nodiscard]] Printed<outcomes_schema> outcomes_of(const sweep::SweepState::Counts& counts);

@@ -39,6 +39,28 @@ class StreamSink : public RowSink {
   std::int64_t rows_{0};
 };
 
+/// What a complete part at the place of this one says; empty if there is none. Throws FileError for
+/// another part of the same sweep.
+std::optional<Checkpoint> find_part(const Checkpoint& wanted) {
+  std::optional<Checkpoint> found;
+  try {
+    found = read_seal(wanted.path);
+  } catch (const records::FileError&) {
+    return std::nullopt;
+  }
+  if (!difference(*found, wanted).empty()) {
+    return std::nullopt;
+  }
+  if (found->part != wanted.part) {
+    throw records::FileError(
+        {.kind = "output", .path = wanted.path},
+        fmt::format("is part {} of this sweep: give each part its own file, for instance with "
+                    "{{part}} in its name",
+                    text(found->part)));
+  }
+  return found;
+}
+
 std::unique_ptr<RowSink> open_stream(const std::string& path) {
   Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!descriptor.is_open()) {
@@ -62,14 +84,25 @@ void require_streamable(const SweepSpec& spec, bool terminal) {
 
 }  // namespace
 
+bool keeps_rows(const SweepSpec& spec) {
+  return !spec.reduction || (spec.part && spec.output);
+}
+
 bool goes_to_standard_output(const SweepSpec& spec) {
-  return !spec.output || is_standard_output(*spec.output);
+  return keeps_rows(spec) && (!spec.output || is_standard_output(*spec.output));
 }
 
 std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
   require_valid(spec);  // before anything is created
   if (spec.output) {
     require_file_name("output", *spec.output);
+  }
+  if (!keeps_rows(spec)) {
+    if (spec.resume) {
+      throw InputError("resume", "true",
+                       "cannot be combined with reduce: give --part and --output as well");
+    }
+    return std::make_unique<RowSink>();
   }
   if (goes_to_standard_output(spec)) {
     require_streamable(spec, ::isatty(STDOUT_FILENO) == 1);
@@ -79,13 +112,13 @@ std::unique_ptr<RowSink> open_rows(const SweepSpec& spec) {
     require_streamable(spec, false);
     return open_stream(*spec.output);
   }
-  const PartLabel label = label_of(spec);
+  Checkpoint begun = beginning(spec);
   if (spec.part) {
-    if (const auto found = find_part(label, read_seal); found && spec.resume) {
+    if (const auto found = find_part(begun); found && spec.resume) {
       return std::make_unique<RowSink>(found->state);
     }
   }
-  return std::make_unique<PartFile>(label, spec.resume);
+  return std::make_unique<PartFile>(std::move(begun), spec.resume);
 }
 
 std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string& task) {
@@ -93,7 +126,7 @@ std::unique_ptr<RowSink> open_whole(const std::string& output, const std::string
   if (is_special_file(output)) {
     return open_stream(output);
   }
-  return std::make_unique<PartFile>(PartLabel{.path = output, .task = task}, true);
+  return std::make_unique<PartFile>(Checkpoint{.path = output, .task = task}, true);
 }
 
 }  // namespace stillpoint::sweep

@@ -76,11 +76,11 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path) {
   }
 }
 
-PartFile::PartFile(PartLabel label, bool resume)
-    : target_(behind_links(label.path).string()),
+PartFile::PartFile(Checkpoint sweep, bool resume)
+    : target_(behind_links(sweep.path).string()),
       part_(target_ + ".part"),
       checkpoint_(part_ + ".json"),
-      saved_{std::move(label), {}} {
+      saved_(std::move(sweep)) {
   if (resume && open_existing()) {
     this->resume();
   } else {
@@ -133,9 +133,9 @@ void PartFile::create() {
 void PartFile::resume() {
   const auto left = read_checkpoint(checkpoint_);
   if (left) {
-    std::string differs = difference(left->label, saved_.label);
-    if (differs.empty() && left->label.part != saved_.label.part) {
-      differs = fmt::format("part was {}, is {}", text(left->label.part), text(saved_.label.part));
+    std::string differs = difference(*left, saved_);
+    if (differs.empty() && left->part != saved_.part) {
+      differs = fmt::format("part was {}, is {}", text(left->part), text(saved_.part));
     }
     if (!differs.empty()) {
       refuse("resume", part_,

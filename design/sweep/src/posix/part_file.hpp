@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "../checkpoint.hpp"
 #include "../descriptor.hpp"
 
+#include <stillpoint/sweep/checkpoint.hpp>
 #include <stillpoint/sweep/sink.hpp>
 
 #include <memory>
@@ -26,9 +26,9 @@ namespace stillpoint::sweep {
 /// program or the machine ends, the sweep can be resumed.
 class PartFile : public RowSink {
  public:
-  /// Ready for the rows that are still to come; throws as open_rows does. To resume where nothing
-  /// is left is to begin.
-  PartFile(PartLabel label, bool resume);
+  /// Of a sweep that begins, ready for the rows that are still to come; throws as open_rows does. To
+  /// resume where nothing is left is to begin.
+  PartFile(Checkpoint sweep, bool resume);
 
   void write(std::string_view bytes) override;
   void reached(const SweepState& state) override;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <stillpoint/sweep/checkpoint.hpp>
 #include <stillpoint/sweep/output_file.hpp>
-#include <stillpoint/sweep/sink.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -14,7 +14,7 @@ namespace stillpoint::sweep {
 
 /// The result of a merge.
 struct Merged {
-  std::int64_t rows{0};
+  Checkpoint whole;
   std::int64_t bytes{0};
   bool stopped{false};  ///< then nothing is joined
 };
@@ -27,14 +27,11 @@ struct MergeWatch {
 /// Throws FileError if what would be written is one of the parts.
 void require_apart(const NamedFile& written, const std::vector<std::string>& parts);
 
-/// Joins the parts of a sweep, in any order, into the file that the whole sweep would have written.
-/// Throws records::FileError for a part that is incomplete, of another sweep or given twice, and
-/// for an output that cannot be written; InputError for a part that is missing.
-/// The file is then not written.
+/// Joins the parts of a sweep, in any order, into the file that the whole sweep would have written;
+/// of parts that keep no rows the result is all, and nothing is written. Throws records::FileError
+/// for a part that is incomplete, of another sweep or given twice, and for an output that cannot be
+/// written; InputError for a part that is missing. The file is then not written.
 Merged merge(const std::string& output, const std::vector<std::string>& parts,
              const MergeWatch& watch = {});
-
-/// The same bytes into a sink, first the header alone.
-Merged merge(RowSink& sink, const std::vector<std::string>& parts, const MergeWatch& watch = {});
 
 }  // namespace stillpoint::sweep

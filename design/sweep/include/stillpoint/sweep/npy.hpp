@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <iosfwd>
 #include <string>
 #include <string_view>
 
@@ -17,8 +16,5 @@ namespace stillpoint::sweep {
 
 /// Such a header for another number of rows, of the same length. Any other text stays as it is.
 [[nodiscard]] std::string with_rows(std::string header, std::int64_t rows);
-
-/// The bytes before the rows of a file: such a header, or a line.
-[[nodiscard]] std::string read_header(std::istream& file);
 
 }  // namespace stillpoint::sweep

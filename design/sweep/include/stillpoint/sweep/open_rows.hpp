@@ -13,7 +13,10 @@ namespace stillpoint::sweep {
 /// needs a file or the spec is not valid.
 [[nodiscard]] std::unique_ptr<RowSink> open_rows(const SweepSpec& spec);
 
-/// Whether the rows go to standard output.
+/// Whether anything is kept while a sweep runs: its rows, or what a part of a reduction has so far.
+[[nodiscard]] bool keeps_rows(const SweepSpec& spec);
+
+/// Whether that goes to standard output.
 [[nodiscard]] bool goes_to_standard_output(const SweepSpec& spec);
 
 }  // namespace stillpoint::sweep

@@ -62,18 +62,15 @@ struct Histogram {
   std::int64_t above{0};
 };
 
-class BestRows {
- public:
-  /// At most `most` rows, at least 1, with the smallest or the largest values of a column.
-  BestRows(std::size_t column, std::size_t most, bool largest)
-      : column_(column), most_(most), largest_(largest) {}
+/// At most `most` rows, at least 1, with the smallest or the largest values of a column.
+struct BestRows {
+  std::size_t column{0};  ///< among the RowColumns
+  std::size_t most{1};
+  bool largest{false};
+  std::vector<ReducedRow> heap{};  ///< the worst in front
 
-  [[nodiscard]] std::size_t column() const { return column_; }
-  [[nodiscard]] std::size_t most() const { return most_; }
-  [[nodiscard]] bool largest() const { return largest_; }
   /// Best first.
   [[nodiscard]] std::vector<ReducedRow> rows() const;
-
   /// What the value of a later row must beat to be among them; infinite while there is room.
   [[nodiscard]] double bar() const;
   void add(ReducedRow row);
@@ -81,19 +78,11 @@ class BestRows {
 
  private:
   [[nodiscard]] bool better(const ReducedRow& one, const ReducedRow& other) const;
-
-  std::size_t column_;
-  std::size_t most_;
-  bool largest_;
-  std::vector<ReducedRow> heap_;  ///< the worst in front
 };
 
 /// The finite values of one column.
 struct ReducedColumn {
-  explicit ReducedColumn(std::size_t place)
-      : column(place), least(place, 1, false), largest(place, 1, true) {}
-
-  std::size_t column;  ///< among the RowColumns
+  std::size_t column{0};  ///< among the RowColumns
   std::int64_t count{0};
   std::int64_t absent{0};    ///< values that do not exist
   std::int64_t infinite{0};  ///< what never happens
@@ -102,13 +91,16 @@ struct ReducedColumn {
 };
 
 struct Reduction {
-  std::vector<RowColumn> row;
+  std::vector<RowColumn> row;          ///< empty if rows are written
   std::vector<ReducedColumn> columns;  ///< the results that are numbers
   std::vector<Histogram> histograms;
   std::vector<BestRows> best;
 };
 
-/// Adds the reduction of other entries of the same sweep.
+/// Whether its parts fit one another: what was read from a file may not.
+[[nodiscard]] bool is_sound(const Reduction& reduction);
+
+/// Adds the reduction of other entries of the same sweep; throws std::exception if it cannot be.
 void add(Reduction& total, const Reduction& more);
 
 struct SweepSpec;
@@ -117,7 +109,8 @@ struct SweepBlock;
 /// Reduces the blocks of a sweep on several threads.
 class Reducer {
  public:
-  explicit Reducer(const SweepSpec& spec);
+  /// To go on from what was `found`, if anything.
+  Reducer(const SweepSpec& spec, const Reduction& found);
 
   void add(const SweepBlock& block);
   [[nodiscard]] Reduction result() const;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <stillpoint/sweep/map.hpp>
-#include <stillpoint/sweep/reduction.hpp>
 #include <stillpoint/sweep/sink.hpp>
 #include <stillpoint/sweep/spec.hpp>
 #include <stillpoint/sweep/state.hpp>
@@ -18,7 +17,6 @@ struct SweepWatch {
   std::stop_token stop{};                             ///< obeyed within some tenths of a second
   std::function<void(const SweepState&)> progress{};  ///< called after each block
   SweepMap* map{nullptr};                             ///< to be filled
-  Reducer* reducer{nullptr};  ///< takes the rows, which are then not written
 };
 
 enum class SweepEnd {

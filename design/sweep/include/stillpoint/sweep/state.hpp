@@ -4,6 +4,7 @@
 #include <stillpoint/core/excitation.hpp>
 #include <stillpoint/design/catalogue.hpp>
 #include <stillpoint/sweep/quantity.hpp>
+#include <stillpoint/sweep/reduction.hpp>
 
 #include <array>
 #include <bit>
@@ -48,9 +49,14 @@ struct SweepState {
   Counts locked_outcomes{};  ///< how many of them the notch holds while the load goes on
   std::int64_t feasible{0};  ///< of the design problems
   std::int64_t bytes{0};     ///< of the header and the rows so far
+  std::int64_t header{0};    ///< bytes of it
+  Reduction reduction{};     ///< of the rows so far, if they are not written
 
-  /// Adds the results of one more block.
+  /// Adds the results of one more block, but for its reduction.
   void add(const SweepBlock& block);
+  /// Adds another part of the same sweep, but for its digest and its bytes; throws std::exception
+  /// if it cannot be.
+  void add(const SweepState& part);
   [[nodiscard]] std::int64_t locked() const {
     return std::accumulate(locked_outcomes.begin(), locked_outcomes.end(), std::int64_t{0});
   }
