@@ -226,9 +226,9 @@ void SweepStep::run_physical(SweepBlock& block) {
 void SweepStep::run(SweepBlock& block) {
   switch (spec_.kind) {
     case SweepKind::free:
-      return run_free(block);
+      return in_batches_ ? run_in_batches(block) : run_one_by_one(block);
     case SweepKind::forced:
-      return run_forced(block);
+      return run_one_by_one(block);
     case SweepKind::design:
       return run_design(block);
   }
@@ -259,20 +259,7 @@ void SweepStep::for_each_motion(SweepBlock& block, const std::function<void(Inde
   });
 }
 
-MotionRequest SweepStep::motion(const SweepBlock& block, Index i) const {
-  return motion_of(spec_, [&](Quantity input) { return block[input][i]; });
-}
-
-ForcedOptions SweepStep::forced_options() const {
-  return {.t_end = spec_.t_end,
-          .half_cycle_limit = spec_.half_cycle_limit,
-          .go_on = [this](double /*tau*/) { return !stop_.stop_requested(); }};
-}
-
-void SweepStep::run_free(SweepBlock& block) {
-  if (!in_batches_) {
-    return run_free_one_by_one(block);
-  }
+void SweepStep::run_in_batches(SweepBlock& block) {
   const BatchOptions options{
       .times = times_,
       .acceleration = acceleration_,
@@ -286,9 +273,9 @@ void SweepStep::run_free(SweepBlock& block) {
       free_batch(block[v0], block[p], block[f], block[delta], options, batch_);
     }
   } catch (const InputError&) {
-    return run_free_one_by_one(block);  // which says what is wrong with this entry
+    return run_one_by_one(block);  // which says what is wrong with this entry
   } catch (const TooManyHalfCycles&) {
-    return run_free_one_by_one(block);
+    return run_one_by_one(block);
   } catch (const Cancelled&) {
     return;  // after a stop nobody reads the results
   }
@@ -306,32 +293,28 @@ void SweepStep::run_free(SweepBlock& block) {
   }
 }
 
-void SweepStep::run_free_one_by_one(SweepBlock& block) const {
+void SweepStep::run_one_by_one(SweepBlock& block) const {
   make_room(block, results(spec_.kind));
-  const FreeOptions options{
+  const bool free = spec_.kind == SweepKind::free;
+  const FreeOptions by_map{
       .times = times_,
       .margin = false,
       .half_cycle_limit = spec_.half_cycle_limit.value_or(FreeOptions().half_cycle_limit)};
-  const ForcedOptions on_surface = forced_options();
-  for_each_motion(block, [&](Index i) {
-    const auto [oscillator, start, surface] = motion(block, i);
-    const Response response =
-        surface.plain() ? free_response(oscillator, start, options)
-                        : forced_response(oscillator, start, NoExcitation{}, on_surface, surface);
-    set_motion(block, i, response, results(spec_.kind));
-  });
-}
-
-void SweepStep::run_forced(SweepBlock& block) const {
-  make_room(block, results(spec_.kind));
-  const ForcedOptions options = forced_options();
+  const ForcedOptions followed{.t_end = spec_.t_end,
+                               .half_cycle_limit = spec_.half_cycle_limit,
+                               .go_on = [this](double /*tau*/) { return !stop_.stop_requested(); }};
   SharedLoad shared;
   for_each_motion(block, [&](Index i) {
-    const auto [oscillator, start, surface] = motion(block, i);
+    const auto [oscillator, start, surface] =
+        motion_of(spec_, [&](Quantity input) { return block[input][i]; });
+    if (free && surface.plain()) {
+      return set_motion(block, i, free_response(oscillator, start, by_map), results(spec_.kind));
+    }
     const auto load = spec_.records.empty() ? nullptr : shared.of(spec_, block, i);
+    const Excitation& excitation = load ? *load : spec_.excitation;
     set_motion(
         block, i,
-        forced_response(oscillator, start, load ? *load : spec_.excitation, options, surface),
+        forced_response(oscillator, start, free ? NoExcitation{} : excitation, followed, surface),
         results(spec_.kind));
   });
 }

@@ -28,12 +28,9 @@ class SweepStep {
   void require_ranges(const SweepBlock& block) const;
   void run(SweepBlock& block);
   void run_physical(SweepBlock& block);
-  void run_free(SweepBlock& block);
-  void run_free_one_by_one(SweepBlock& block) const;
-  void run_forced(SweepBlock& block) const;
+  void run_in_batches(SweepBlock& block);
+  void run_one_by_one(SweepBlock& block) const;
   void run_design(SweepBlock& block) const;
-  [[nodiscard]] MotionRequest motion(const SweepBlock& block, Eigen::Index i) const;
-  [[nodiscard]] ForcedOptions forced_options() const;
   void for_each(const SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;
   void for_each_motion(SweepBlock& block, const std::function<void(Eigen::Index)>& body) const;
 
