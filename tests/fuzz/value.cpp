@@ -85,8 +85,6 @@ void read(char kind, std::string_view text) {
       return static_cast<void>(parse_columns(text, SweepKind::forced));
     case 'h':
       return read_bins(text);
-    case 'b':
-      return static_cast<void>(parse_best(text, default_columns(spec(), true), {}));
     default: {
       const SweepPart part = parse_part(text);
       require(parse_part(sweep::text(part)) == part, "part {}", sweep::text(part));

@@ -5,8 +5,8 @@
 
 #include <stillpoint/design/excitation_kinds.hpp>
 #include <stillpoint/report/page_frame.hpp>
-#include <stillpoint/sweep/output_file.hpp>
 #include <stillpoint/sweep/checkpoint.hpp>
+#include <stillpoint/sweep/output_file.hpp>
 
 #include <filesystem>
 #include <thread>
@@ -217,9 +217,6 @@ std::optional<sweep::ReductionRequest> reduction(const Settings& settings, const
   sweep::ReductionRequest asked;
   for (const std::string& bins : settings.texts("histogram")) {
     asked.histograms.push_back(sweep::parse_bins(bins, spec.columns, spec.units));
-  }
-  for (const std::string& best : settings.texts("best")) {
-    asked.best.push_back(sweep::parse_best(best, spec.columns, spec.units));
   }
   return asked;
 }

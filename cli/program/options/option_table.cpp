@@ -220,7 +220,6 @@ constexpr auto rows = std::to_array<Option>(
          Bounds{0, 1024}),
      row("reduce", flag, "", sweep, Excludes{sweep, "open html svg", "a map shows the rows"}),
      row("histogram", text, "BINS", sweep, repeats, of_a_reduction),
-     row("best", text, "ROWS", sweep, repeats, of_a_reduction),
      row("part", text, "I/N", sweep, execution,
          Excludes{sweep, "open html svg", "a map shows a whole sweep"}),
      row("resume", flag, "", sweep, execution),

@@ -38,38 +38,6 @@ void add_columns(Document& made, const ordered_json& columns) {
       .line("The entries are where the least and the largest are.");
 }
 
-/// The inputs, how the motion ends and what the rows are chosen by: a line has 80 columns.
-std::vector<std::string> shown_columns(const ordered_json& found, const ordered_json& chosen_by) {
-  std::vector<std::string> shown{"entry"};
-  for (const ordered_json& name : found.at("row")) {
-    const auto is_name = [&](const ordered_json& column) { return column.at("column") == name; };
-    if (name == chosen_by || std::ranges::none_of(found.at("columns"), is_name)) {
-      shown.push_back(name);
-    }
-  }
-  return shown;
-}
-
-void add_best(Document& made, const ordered_json& best, const ordered_json& found) {
-  constexpr std::size_t most_shown = 10;
-  const ordered_json& rows = best.at("rows");
-  const std::vector<std::string> shown = shown_columns(found, best.at("column"));
-  Table table{shown, {}};
-  for (std::size_t i = 0; i < std::min(rows.size(), most_shown); ++i) {
-    TableRow& row = table.rows.emplace_back();
-    for (const std::string& name : shown) {
-      row.cells.push_back(cell(rows[i].at(name)));
-    }
-  }
-  Section& section =
-      made.section(fmt::format("{} {}", best.at("order") == "largest" ? "Largest" : "Smallest",
-                               best.at("column").get<std::string>()),
-                   {std::move(table)});
-  if (rows.size() > most_shown || shown.size() <= found.at("row").size()) {
-    section.line("--json lists all rows and columns.", Tone::faint);
-  }
-}
-
 /// With how many entries ended in each way.
 Document document_of(std::string title, const sweep::SweepState& state, bool design) {
   return {.title = std::move(title),
@@ -116,9 +84,6 @@ Document document(const ReductionReport& report) {
     made.answer.row("part", text(*report.part));
   }
   add_columns(made, found.at("columns"));
-  for (const ordered_json& best : found.at("best")) {
-    add_best(made, best, found);
-  }
   return made;
 }
 

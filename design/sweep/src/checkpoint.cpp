@@ -50,10 +50,6 @@ template <>
 constexpr std::tuple keys<ReducedRow>{Field{"entry", &ReducedRow::entry},
                                       Field{"values", &ReducedRow::values}};
 template <>
-constexpr std::tuple keys<BestRows>{
-    Field{"column", &BestRows::column}, Field{"most", &BestRows::most},
-    Field{"largest", &BestRows::largest}, Field{"heap", &BestRows::heap}};
-template <>
 constexpr std::tuple keys<ReducedColumn>{
     Field{"column", &ReducedColumn::column}, Field{"count", &ReducedColumn::count},
     Field{"absent", &ReducedColumn::absent}, Field{"infinite", &ReducedColumn::infinite},
@@ -64,9 +60,9 @@ constexpr std::tuple keys<Histogram>{
     Field{"counts", &Histogram::counts}, Field{"below", &Histogram::below},
     Field{"above", &Histogram::above}};
 template <>
-constexpr std::tuple keys<Reduction>{
-    Field{"row", &Reduction::row}, Field{"columns", &Reduction::columns},
-    Field{"histograms", &Reduction::histograms}, Field{"best", &Reduction::best}};
+constexpr std::tuple keys<Reduction>{Field{"row", &Reduction::row},
+                                     Field{"columns", &Reduction::columns},
+                                     Field{"histograms", &Reduction::histograms}};
 template <>
 constexpr std::tuple keys<SweepState>{
     Field{"rows", &SweepState::rows},         Field{"bytes", &SweepState::bytes},

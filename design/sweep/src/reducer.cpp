@@ -3,7 +3,6 @@
 
 #include <stillpoint/core/for_each_entry.hpp>
 #include <stillpoint/core/input_error.hpp>
-#include <stillpoint/records/number.hpp>
 #include <stillpoint/records/text.hpp>
 #include <stillpoint/sweep/axis.hpp>
 #include <stillpoint/sweep/reduction.hpp>
@@ -13,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stillpoint::sweep {
 
@@ -29,10 +29,7 @@ Reduction empty_reduction(const SweepSpec& spec) {
   for (const Quantity column : spec.columns) {
     reduction.row.push_back({std::string(name(column, spec.units)), form(column)});
     if (form(column) == Form::number && contains(results(spec.kind), column)) {
-      ReducedColumn& reduced = reduction.columns.emplace_back();
-      reduced.column = place(column);
-      reduced.least = {.column = reduced.column};
-      reduced.largest = {.column = reduced.column, .largest = true};
+      reduction.columns.push_back({.column = place(column)});
     }
   }
   reduction.histograms.reserve(spec.reduction->histograms.size());
@@ -40,11 +37,6 @@ Reduction empty_reduction(const SweepSpec& spec) {
     reduction.histograms.push_back({.column = place(asked.column),
                                     .edges = asked.edges,
                                     .counts = std::vector<std::int64_t>(asked.edges.size() - 1)});
-  }
-  reduction.best.reserve(spec.reduction->best.size());
-  for (const BestRequest& asked : spec.reduction->best) {
-    reduction.best.push_back(
-        {place(asked.column), static_cast<std::size_t>(asked.count), asked.largest});
   }
   return reduction;
 }
@@ -70,26 +62,38 @@ struct Share {
 };
 
 /// Entries come in rising order, so of equal values the one that is there is the first.
-void reduce(BestRows& best, const Share& share) {
-  const Eigen::ArrayXd& values = share.values(best.column);
-  double bar = best.bar();
+void reduce(ReducedColumn& reduced, const Share& share) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const Eigen::ArrayXd& values = share.values(reduced.column);
+  const auto value_in = [&](const ReducedRow& row, double none) {
+    return row.values.empty() ? none : row.values[reduced.column];
+  };
+  double least = value_in(reduced.least, infinite);
+  double largest = value_in(reduced.largest, -infinite);
+  Index least_at = -1;
+  Index largest_at = -1;
   for (Index i = share.begin; i < share.end; ++i) {
-    if (std::isfinite(values[i]) && (best.largest ? values[i] > bar : values[i] < bar)) {
-      best.add(share.row(i));
-      bar = best.bar();
+    const double value = values[i];
+    if (!std::isfinite(value)) {
+      ++(std::isnan(value) ? reduced.absent : reduced.infinite);
+      continue;
+    }
+    ++reduced.count;
+    if (value < least) {
+      least = value;
+      least_at = i;
+    }
+    if (value > largest) {
+      largest = value;
+      largest_at = i;
     }
   }
-}
-
-void reduce(ReducedColumn& reduced, const Share& share) {
-  const Eigen::ArrayXd& values = share.values(reduced.column);
-  for (Index i = share.begin; i < share.end; ++i) {
-    ++(std::isfinite(values[i]) ? reduced.count
-       : std::isnan(values[i])  ? reduced.absent
-                                : reduced.infinite);
+  if (least_at >= 0) {
+    reduced.least = share.row(least_at);
   }
-  reduce(reduced.least, share);
-  reduce(reduced.largest, share);
+  if (largest_at >= 0) {
+    reduced.largest = share.row(largest_at);
+  }
 }
 
 void reduce(Histogram& histogram, const Share& share) {
@@ -177,23 +181,6 @@ BinsRequest parse_bins(std::string_view text, const std::vector<Quantity>& colum
   return result;
 }
 
-BestRequest parse_best(std::string_view text, const std::vector<Quantity>& columns,
-                       const std::optional<SweepUnits>& units) {
-  constexpr std::int64_t most_rows = 100'000;  // each thread keeps as many
-  const std::string_view option = "best";
-  const auto [column, rest] = column_of(option, text, columns, units);
-  const std::size_t colon = std::min(rest.find(':'), rest.size());
-  const std::string_view order = rest.substr(colon);
-  const auto count = records::scan_integer(rest.substr(0, colon));
-  if (!count || (!order.empty() && order != ":largest" && order != ":smallest")) {
-    throw wrong(option, text, "must be COLUMN:ROWS, COLUMN:ROWS:smallest or COLUMN:ROWS:largest");
-  }
-  if (*count < 1 || *count > most_rows) {
-    throw wrong(option, text, fmt::format("must ask for 1 to {} rows", most_rows));
-  }
-  return {column, *count, order == ":largest"};
-}
-
 Reducer::Reducer(const SweepSpec& spec, const Reduction& found)
     : columns_(spec.columns),
       shares_(static_cast<std::size_t>(spec.threads), empty_reduction(spec)) {
@@ -213,9 +200,6 @@ void Reducer::add(const SweepBlock& block) {
     }
     for (Histogram& histogram : reduction.histograms) {
       reduce(histogram, share);
-    }
-    for (BestRows& best : reduction.best) {
-      reduce(best, share);
     }
   });
 }

@@ -59,8 +59,7 @@ BOOST_AUTO_TEST_CASE(of_any_sweep_merge_to_the_bytes_of_the_whole) {
   const Arguments front("sweep --v0 1 --p 1 --tolerance 0.05 --trade-off 4");
   const Arguments reduced(
       "sweep --v0 1 --p 1 --f 0:0.35:15 --delta 0:0.6:13 --times --reduce --histogram "
-      "peak_amplitude:0.7:0.95:6 --histogram stop_time:1:40:5:log --best stop_time:7 --best "
-      "half_cycles:4:largest");
+      "peak_amplitude:0.7:0.95:6 --histogram stop_time:1:40:5:log");
   struct Row {
     Arguments sweep;
     std::vector<std::string> extensions;
@@ -83,10 +82,10 @@ BOOST_AUTO_TEST_CASE(of_any_sweep_merge_to_the_bytes_of_the_whole) {
            {front + "--beta 0.8:1.2:5", {"csv"}, {3, 7}},
            {front + "--list betas.csv", {"csv"}, {3, 7}},
            {reduced, {"json"}, {1, 2, 7}},
-           {"sweep --v0 0.5:1:4 --p 1 --beta 0.4:0.9:23 --reduce --best delta:5", {"json"}, {100}},
+           {"sweep --v0 0.5:1:4 --p 1 --beta 0.4:0.9:23 --reduce", {"json"}, {100}},
            {"sweep --v0 1 --p 1 --list list.csv --reduce", {"json"}, {3}},
            {"sweep --velocity 200mm/s:400mm/s:5 --period 2.8s --f 0.02 --delta-m 1mm:6mm:6 "
-            "--reduce --best peak_m:2",
+            "--reduce",
             {"json"},
             {2}}}) {
     for (const std::string& extension : extensions) {

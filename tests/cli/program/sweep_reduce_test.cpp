@@ -10,8 +10,7 @@ using namespace stillpoint::cli_test;
 const Arguments motions("sweep --v0 1 --p 1 --f 0:0.35:15 --delta 0:0.6:13 --times");
 const Arguments designs("sweep --v0 0.5:1:4 --p 1 --beta 0.4:0.9:23");
 const Arguments asked(
-    "--reduce --histogram peak_amplitude:0.7:0.95:6 --histogram stop_time:1:40:5:log --best "
-    "stop_time:7 --best half_cycles:4:largest");
+    "--reduce --histogram peak_amplitude:0.7:0.95:6 --histogram stop_time:1:40:5:log");
 
 /// The numbers of a column, where there are any, with their places from 1.
 std::vector<std::pair<double, std::int64_t>> numbers(const SweepTable& table,
@@ -86,21 +85,6 @@ void check_histogram(const json& histogram, const SweepTable& table) {
              std::ssize(values));
 }
 
-void check_best(const json& best, const SweepTable& table) {
-  auto values = numbers(table, best.at("column"));
-  const bool largest = best.at("order") == "largest";
-  std::ranges::sort(values, [largest](const auto& one, const auto& other) {
-    return one.first != other.first ? (one.first > other.first) == largest
-                                    : one.second < other.second;
-  });
-  const json& rows = best.at("rows");
-  BOOST_TEST_REQUIRE(rows.size() == std::min(values.size(), best.at("most").get<std::size_t>()));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    BOOST_TEST(rows[i].at("entry") == values[i].second);
-    check_row(rows[i], table);
-  }
-}
-
 struct Reduced : Sandbox {
   /// Asserts that what it says about its rows is true.
   void check_true(const Arguments& sweep, const Arguments& more) const {
@@ -127,9 +111,6 @@ struct Reduced : Sandbox {
     for (const json& histogram : found.at("histograms")) {
       check_histogram(histogram, table);
     }
-    for (const json& best : found.at("best")) {
-      check_best(best, table);
-    }
   }
 };
 
@@ -137,12 +118,10 @@ BOOST_FIXTURE_TEST_SUITE(reductions, Reduced)
 
 BOOST_AUTO_TEST_CASE(match_the_rows) {
   check_true(motions, asked);
-  check_true(designs,
-             "--reduce --best tolerance:3:largest --histogram delta:0,0.05,0.1,0.4 --histogram "
-             "delta:0:0.4:1");
+  check_true(designs, "--reduce --histogram delta:0,0.05,0.1,0.4 --histogram delta:0:0.4:1");
   check_true(
       "sweep --p 1 --f 0.05:0.2:9 --delta 0 --excitation harmonic --k 0.2 --lambda 0.35 --t-end 20",
-      "--reduce --best final_velocity:3");
+      "--reduce");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

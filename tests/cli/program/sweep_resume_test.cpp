@@ -74,4 +74,22 @@ BOOST_FIXTURE_TEST_CASE(a_killed_one_can_be_resumed_from_any_moment, Sandbox) {
   }
 }
 
+/// What it has so far is in the checkpoint alone.
+BOOST_FIXTURE_TEST_CASE(a_killed_part_without_rows_goes_on_where_it_was, Sandbox) {
+  const std::string f = "0.001:0.01:240";
+  const Arguments part("--reduce --histogram peak_amplitude:0:1:9 --part 1/1");
+  succeed(sweep(part + "--output whole.json", f));
+  const auto has_begun = [&] {
+    return fs::exists(path("r.json.part.json")) &&
+           json::parse(read("r.json.part.json"))["rows"] > 0;
+  };
+  const ProgramRun ended =
+      run(sweep(part + "--output r.json", f), {.signal_when = has_begun, .signal = SIGKILL});
+  BOOST_TEST(ended.exit_code == -1);
+  BOOST_TEST(!fs::exists(path("r.json")));
+  succeed(sweep(part + "--output r.json --resume --threads 1", f));
+  BOOST_TEST(read("r.json") == read("whole.json"));
+  BOOST_TEST(contents().size() == 2U);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -63,10 +63,9 @@ def test_report_matches_the_program(program):
 
 
 REDUCED = [
-    {"v0": 1, "p": 1, "f": "0:0.35:15", "delta": "0:0.6:13", "times": True, "best": "stop_time:7",
+    {"v0": 1, "p": 1, "f": "0:0.35:15", "delta": "0:0.6:13", "times": True,
      "histogram": ["peak_amplitude:0.7:0.95:6", "stop_time:1:40:5:log"]},
-    {"v0": "0.5:1:4", "p": 1, "beta": "0.4:0.9:23",
-     "best": ["tolerance:3:largest", "peak_amplitude:2"]},
+    {"v0": "0.5:1:4", "p": 1, "beta": "0.4:0.9:23"},
     {"velocity": "300mm/s:500mm/s:30", "period": "2.8s", "f": "0.01,0.02", "delta_m": "5mm"},
     {"p": 1, "f": "0.05:0.2:16", "delta": 0, "excitation": "harmonic", "k": 0.2, "lambda_": 0.35,
      "t_end": 20},
@@ -82,7 +81,7 @@ def test_reduction_matches_the_program(program, options):
     assert json.dumps(found.report) == json.dumps(json.loads(done.stdout))  # with the order of keys
     assert found.table is None
     assert str(found) == program.run("sweep", "--reduce", *arguments, **flags).stdout
-    assert " of " in repr(found) and found.report.digest is None
+    assert " of " in repr(found) and found.report.part is None
 
 
 def test_reduction_agrees_with_the_rows():
@@ -90,13 +89,12 @@ def test_reduction_agrees_with_the_rows():
     peaks = stillpoint.sweep(**axes).table["peak_amplitude"]
     edges = np.linspace(0.7, 0.95, 7)
     found = stillpoint.sweep(reduce=True, histogram="peak_amplitude:" + ",".join(map(str, edges)),
-                             best="peak_amplitude:4", **axes)
+                             **axes)
     column = next(one for one in found.columns if one.column == "peak_amplitude")
     assert (column.least.peak_amplitude, column.largest.peak_amplitude) == (peaks.min(), peaks.max())
     assert column.least.entry == peaks.argmin() + 1 and column.count == len(peaks)
     (histogram,) = found.histograms
     assert histogram.counts == np.histogram(peaks, edges)[0].tolist()
-    assert [row.entry for row in found.best[0].rows] == (np.argsort(peaks, kind="stable")[:4] + 1).tolist()
 
 
 def test_reduced_parts_merge_with_those_of_the_program(program):
@@ -127,7 +125,7 @@ def test_parts_are_those_of_the_program(program):
 
 @pytest.mark.parametrize("more", [
     {"histogram": "peak_amplitude:0:1:50"}, {"reduce": True, "histogram": "outcome:0:1:2"},
-    {"reduce": True, "best": "peak_amplitude:0"}, {"reduce": True, "format": "npy"},
+    {"reduce": True, "format": "npy"},
     {"reduce": True, "resume": True}])
 def test_wrong_reduction_is_refused_as_the_program_does(program, more):
     axes = {"v0": 1, "p": 1, "f": "0:0.3:3", "delta": 0.1}

@@ -13,7 +13,6 @@ namespace stillpoint::report {
 namespace {
 
 using nlohmann::ordered_json;
-using sweep::BestRows;
 using sweep::Form;
 using sweep::Histogram;
 using sweep::ReducedColumn;
@@ -31,7 +30,6 @@ ordered_json cell_json(double value, Form form) {
 }
 
 constexpr auto reduction_names = std::to_array<std::string_view>({"stillpoint/sweep-reduction/1"});
-constexpr auto orders = std::to_array<std::string_view>({"largest", "smallest"});
 
 ordered_json row_schema() {
   return {{"type", "object"}, {"required", {"entry"}}};
@@ -47,15 +45,9 @@ ShownRow shown(const ReducedRow& row, Columns columns) {
   }
   return {std::move(result)};
 }
-std::vector<ShownRow> shown(const BestRows& best, Columns columns) {
-  return mapped(best.rows(), [&](const ReducedRow& row) { return shown(row, columns); });
-}
-
-/// The best of one.
-constexpr auto extreme(BestRows ReducedColumn::*best) {
-  return [best](const auto& now) {
-    const std::vector<ShownRow> found = shown(now.*best, now.columns);
-    return found.empty() ? std::nullopt : std::optional(found.front());
+constexpr auto extreme(ReducedRow ReducedColumn::*row) {
+  return [row](const auto& now) {
+    return (now.*row).values.empty() ? std::nullopt : std::optional(shown(now.*row, now.columns));
   };
 }
 /// What is said of a column, and the columns of all.
@@ -81,19 +73,6 @@ struct ShownHistogram : Histogram {
       Field{"counts", &Now::counts, "a bin contains its lower edge, the last one both"},
       Field{"below", &Now::below}, Field{"above", &Now::above}};
 };
-struct ShownBest : BestRows {
-  Columns columns;
-
-  using Now = ShownBest;
-  static constexpr std::tuple field_table{
-      Field{"column", [](const auto& now) { return now.columns[now.column].name; }},
-      Field{"order", [](const auto& now) { return orders.at(now.largest ? 0 : 1); }, "",
-            one_of(orders)},
-      Field{"most", &Now::most, "", at_least_one},
-      Field{"rows", [](const auto& now) { return shown(now, now.columns); },
-            "best first; rows with the same value are in the order of the sweep"}};
-};
-
 ordered_json task_schema() {
   return {{"type", "object"}};
 }
@@ -134,14 +113,14 @@ constexpr auto reduction_table = [] {
                 [](const Now& now) {
                   return mapped(now.found.state.reduction.row, &RowColumn::name);
                 },
-                "the columns of each row below", at_least_one},
+                "the columns of the rows below", at_least_one},
           Field{"columns", of_columns<ShownColumn>(&Reduction::columns),
                 "of each result that is a number"},
           Field{"histograms", of_columns<ShownHistogram>(&Reduction::histograms)},
-          Field{"best", of_columns<ShownBest>(&Reduction::best)},
           Field{"task",
-                [](const Now&
-                       now) { return Printed<task_schema>{ordered_json::parse(now.found.task)}; },
+                [](const Now& now) {
+                  return Printed<task_schema>{ordered_json::parse(now.found.task)};
+                },
                 "the options that decide the numbers"}});
 }();
 

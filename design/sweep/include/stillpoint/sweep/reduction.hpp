@@ -24,26 +24,14 @@ struct BinsRequest {
   std::vector<double> edges;  ///< rising, at least two
 };
 
-/// The rows with the smallest or the largest values of a column.
-struct BestRequest {
-  Quantity column{};
-  std::int64_t count{1};
-  bool largest{false};
-};
-
 struct ReductionRequest {
   std::vector<BinsRequest> histograms;
-  std::vector<BestRequest> best;
 };
 
 /// "peak_amplitude:0:1:50", "stop_time:1:100:40:log" or "f:0,0.1,0.3": low, high and the number of
 /// bins, or the edges. Throws InputError.
 [[nodiscard]] BinsRequest parse_bins(std::string_view text, const std::vector<Quantity>& columns,
                                      const std::optional<SweepUnits>& units);
-/// "peak_amplitude:10", the ten smallest, or "tolerance:10:largest".
-[[nodiscard]] BestRequest parse_best(std::string_view text, const std::vector<Quantity>& columns,
-                                     const std::optional<SweepUnits>& units);
-
 struct RowColumn {
   std::string name;
   Form form{Form::number};
@@ -51,7 +39,7 @@ struct RowColumn {
 
 struct ReducedRow {
   std::int64_t entry{0};       ///< of the whole sweep, from 0
-  std::vector<double> values;  ///< one for each RowColumn
+  std::vector<double> values;  ///< one for each RowColumn; none if there is no row
 };
 
 struct Histogram {
@@ -62,39 +50,20 @@ struct Histogram {
   std::int64_t above{0};
 };
 
-/// At most `most` rows, at least 1, with the smallest or the largest values of a column.
-struct BestRows {
-  std::size_t column{0};  ///< among the RowColumns
-  std::size_t most{1};
-  bool largest{false};
-  std::vector<ReducedRow> heap{};  ///< the worst in front
-
-  /// Best first.
-  [[nodiscard]] std::vector<ReducedRow> rows() const;
-  /// What the value of a later row must beat to be among them; infinite while there is room.
-  [[nodiscard]] double bar() const;
-  void add(ReducedRow row);
-  void add(const BestRows& other);
-
- private:
-  [[nodiscard]] bool better(const ReducedRow& one, const ReducedRow& other) const;
-};
-
 /// The finite values of one column.
 struct ReducedColumn {
   std::size_t column{0};  ///< among the RowColumns
   std::int64_t count{0};
   std::int64_t absent{0};    ///< values that do not exist
   std::int64_t infinite{0};  ///< what never happens
-  BestRows least;            ///< one row, if there is a value
-  BestRows largest;          ///< likewise
+  ReducedRow least{};        ///< if there is a value; of several the first
+  ReducedRow largest{};      ///< likewise
 };
 
 struct Reduction {
   std::vector<RowColumn> row;          ///< empty if rows are written
   std::vector<ReducedColumn> columns;  ///< the results that are numbers
   std::vector<Histogram> histograms;
-  std::vector<BestRows> best;
 };
 
 /// Whether its parts fit one another: what was read from a file may not.
