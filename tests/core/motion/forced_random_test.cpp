@@ -111,15 +111,10 @@ void double_agrees_with_50_digits(Dice dice, ForcedScene<> (*make)(Dice&)) {
   BOOST_TEST(amplified <= count / 1000 + 1);
 }
 
+/// Also in real notches, and with damping.
 BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_events_and_metrics) {
   double_agrees_with_50_digits(Dice(20260), random_forced_scene);
-}
-
-BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_in_real_notches) {
   double_agrees_with_50_digits(Dice(20262), random_notched_scene);
-}
-
-BOOST_AUTO_TEST_CASE(double_and_50_digits_see_the_same_with_damping) {
   double_agrees_with_50_digits(Dice(20263), random_damped_scene);
 }
 

@@ -106,17 +106,11 @@ void dopri5_agrees(test::Dice dice, test::ForcedScene<> (*make)(test::Dice&)) {
   BOOST_TEST(undecided <= count / 10);
 }
 
+// Also notches with a hold or a width, friction in zones, docs/notches.md section 2, and damping,
+// docs/damping.md, without a load too.
 BOOST_AUTO_TEST_CASE(random_scenes_follow_the_same_rules) {
   dopri5_agrees(test::Dice(40401), test::random_forced_scene);
-}
-
-// Notches with a hold or a width, and friction in zones: docs/notches.md section 2.
-BOOST_AUTO_TEST_CASE(random_real_notches_follow_the_same_rules) {
   dopri5_agrees(test::Dice(40403), test::random_notched_scene);
-}
-
-// docs/damping.md, without a load too.
-BOOST_AUTO_TEST_CASE(random_damped_motions_follow_the_same_rules) {
   dopri5_agrees(test::Dice(40405), [](test::Dice& dice) {
     test::ForcedScene<> scene = test::random_damped_scene(dice);
     scene.zeta = std::min(scene.zeta, 0.9);  // beyond, v dies out long before the turn

@@ -104,30 +104,6 @@ BOOST_AUTO_TEST_CASE(peers_give_up_when_told) {
   BOOST_TEST(runge_kutta4(held, 1e-2).finished);
 }
 
-// The same motion in units 2^-17 times as large (f by it, Delta by its square): the arithmetic is
-// the same except for exponents, so a method that knows the size gives the same result.
-BOOST_AUTO_TEST_CASE(a_scene_in_other_units_is_no_other_problem) {
-  const double unit = std::ldexp(1, -17);
-  const Scene& s = scene("S1").scene;
-  const Scene small =
-      with(NoExcitation{}, {1, unit * s.oscillator.f, unit * unit * s.oscillator.delta},
-           {0, unit * s.start.v0}, s.t_end);
-  const Size size{unit, unit, 1};
-  const auto same = [&](const Result& of_small, const Result& of_unit) {
-    BOOST_TEST(of_small.turns == of_unit.turns);
-    BOOST_TEST(of_small.passages == of_unit.passages);
-    BOOST_TEST(of_small.steps == of_unit.steps);
-    BOOST_TEST(of_small.peak == unit * of_unit.peak);
-    BOOST_TEST(of_small.end_time == of_unit.end_time);
-  };
-  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
-    same(dopri5(small, tolerance, size), dopri5(s, tolerance));
-  }
-  same(regularised(small, 1e-2, size), regularised(s, 1e-2));
-  // Without the size, it treats the small motion as nearly nothing.
-  BOOST_TEST(dopri5(small, 1e-6).turns != scene("S1").truth.turns);
-}
-
 BOOST_AUTO_TEST_CASE(the_record_is_that_of_the_reference) {
   const auto& record = std::get<Record>(scene("S5").scene.excitation);
   BOOST_TEST(record.values == test::rounded_record_s5().values, tt::per_element());
