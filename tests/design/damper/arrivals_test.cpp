@@ -9,17 +9,22 @@ BOOST_AUTO_TEST_SUITE(arrivals_test)
 
 using namespace stillpoint::design_test;
 
+/// Of one hit, and what ranges of V0 and p leave.
 BOOST_AUTO_TEST_CASE(the_tolerances_of_the_strips_are_those_of_the_table) {
   struct Known {
-    double beta;
+    Problem problem;
     std::vector<double> percent;
   };
   constexpr double two_decimals = 0.005 + 1e-4;
-  for (const Known& known : {Known{0.8, {22.22}}, Known{0.9, {37.61, 18.71, 8.128, 1.613}},
-                             Known{0.95, {37.61, 28.02, 16.44, 11.24, 8.166, 6.005}},
-                             Known{0.99, {37.61, 32.70, 19.61, 14.00, 10.88, 8.893}},
-                             Known{2, {37.61, 33.333, 20, 14.286, 11.111, 9.091}}}) {
-    const auto list = strips({1, 1, known.beta, Criterion::exact, 6});
+  const auto of_beta = [](double beta) { return Problem{1, 1, beta, Criterion::exact, 6}; };
+  for (const Known& known :
+       {Known{of_beta(0.8), {22.22}}, Known{of_beta(0.9), {37.61, 18.71, 8.128, 1.613}},
+        Known{of_beta(0.95), {37.61, 28.02, 16.44, 11.24, 8.166, 6.005}},
+        Known{of_beta(0.99), {37.61, 32.70, 19.61, 14.00, 10.88, 8.893}},
+        Known{of_beta(2), {37.61, 33.333, 20, 14.286, 11.111, 9.091}},
+        Known{ranged(0.9, 1.1, 0.95, 1.05, 2), {21.7164, 14.49}},
+        Known{ranged(0.8, 1.2, 0.95, 1.05, 1), {7.16}}}) {
+    const auto list = strips(known.problem);
     BOOST_REQUIRE(list.size() == known.percent.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
       BOOST_TEST(list[i].arrival == static_cast<std::int64_t>(i + 1));

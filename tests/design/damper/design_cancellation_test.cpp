@@ -28,11 +28,6 @@ void check_cancellable(const std::function<void()>& work, int at_least) {
   }
 }
 
-/// Without an upper bound of f the strips are endless.
-Problem many_arrivals() {
-  return {.beta = 2, .arrivals = 100};
-}
-
 std::vector<Part> some_parts(int count) {
   stillpoint::design_test::RandomSource random(24);
   std::vector<Part> parts;
@@ -43,36 +38,40 @@ std::vector<Part> some_parts(int count) {
   return parts;
 }
 
-BOOST_AUTO_TEST_CASE(a_design_asks_at_each_strip) {
-  constexpr int some = 50;  // not every strip is looked at
-  DesignRequest request{.problem = many_arrivals()};
-  check_cancellable([&] { static_cast<void>(design::design(request)); }, some);
-  request.problem.residual = 0.01;
-  check_cancellable([&] { static_cast<void>(design::design(request)); }, some);
-}
-
-BOOST_AUTO_TEST_CASE(a_task_without_a_design_asks_while_it_is_mended) {
-  const DesignRequest request{.problem = many_arrivals(), .limits = {.tolerance = 0.9}};
-  check_cancellable([&] { static_cast<void>(design::design(request)); }, 10);
-}
-
-BOOST_AUTO_TEST_CASE(a_catalogue_asks_at_each_part) {
-  const std::vector<Part> parts = some_parts(1000);
-  DesignRequest request{.problem = {.beta = 0.9}};
-  check_cancellable([&] { static_cast<void>(choose(request, parts)); }, 1000);
-  request.limits.tolerance = 0.9;  // none is admissible
-  check_cancellable([&] { static_cast<void>(choose(request, parts)); }, 2000);
-}
-
-BOOST_AUTO_TEST_CASE(a_front_asks_at_each_damper) {
-  const Problem problem{.beta = 0.9};
-  check_cancellable([&] { static_cast<void>(trade_off(problem, {}, 50)); }, 50);
-}
-
-BOOST_AUTO_TEST_CASE(a_design_for_a_pulse_asks_at_each_motion) {
-  DesignRequest request{
+BOOST_AUTO_TEST_CASE(whatever_takes_long_asks_again_and_again) {
+  // Without an upper bound of f the strips are endless.
+  const Problem many{.beta = 2, .arrivals = 100};
+  Problem within = many;
+  within.residual = 0.01;
+  const DesignRequest pulse{
       .problem = {.beta = 3}, .pulse = HalfSine{0.5, 0.5}, .pulse_ranges = {.lambda_high = 5}};
-  check_cancellable([&] { static_cast<void>(design::design(request)); }, 1000);
+  const std::vector<Part> parts = some_parts(1000);
+  const auto designs = [](const DesignRequest& request) {
+    return [request] { static_cast<void>(design::design(request)); };
+  };
+  const auto chooses = [&](double tolerance) {
+    return [&, tolerance] {
+      static_cast<void>(
+          choose({.problem = {.beta = 0.9}, .limits = {.tolerance = tolerance}}, parts));
+    };
+  };
+  struct Row {
+    const char* name;
+    std::function<void()> work;
+    int at_least;
+  };
+  for (const auto& [name, work, at_least] :
+       {Row{"some strips", designs({.problem = many}), 50},
+        Row{"some strips with a residual", designs({.problem = within}), 50},
+        Row{"mends", designs({.problem = many, .limits = {.tolerance = 0.9}}), 10},
+        Row{"each motion under a pulse", designs(pulse), 1000}, Row{"each part", chooses(0), 1000},
+        Row{"each part and its mends", chooses(0.9), 2000},
+        Row{"each damper of a front", [] { static_cast<void>(trade_off({.beta = 0.9}, {}, 50)); },
+            50}}) {
+    BOOST_TEST_CONTEXT(name) {
+      check_cancellable(work, at_least);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -24,21 +24,23 @@ BOOST_AUTO_TEST_CASE(a_design_in_one_line) {
   BOOST_TEST(summary(region).ends_with(" to 0.353553"), summary(region));  // f3 = V0 p / sqrt(8)
 }
 
+template <class Enum>
+void names_lead_back(std::size_t count) {
+  BOOST_TEST(names<Enum>().size() == count);
+  for (const std::string_view text : names<Enum>()) {
+    BOOST_TEST(name(parse<Enum>(text).value()) == text);
+  }
+  for (const char* const wrong : {"", "Exact", "none"}) {
+    BOOST_TEST(!parse<Enum>(wrong).has_value());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(each_name_leads_back_to_its_enumerator) {
-  for (const Criterion criterion : {Criterion::published, Criterion::exact}) {
-    BOOST_TEST((parse<Criterion>(name(criterion)) == criterion), name(criterion));
-  }
-  for (const auto warning : {PulseWarning::pulse_not_short, PulseWarning::friction_not_small}) {
-    BOOST_TEST((parse<PulseWarning>(name(warning)) == warning), name(warning));
-  }
-  for (const std::string_view objective : names<Objective>()) {
-    BOOST_TEST(name(parse<Objective>(objective).value()) == objective);
-  }
-  BOOST_TEST(names<Objective>().size() == 4U);
+  names_lead_back<Criterion>(2);
+  names_lead_back<PulseWarning>(2);
+  names_lead_back<Objective>(4);
+  names_lead_back<HitEnd>(8);
   BOOST_TEST(names<Objective>().front() == name(Objective::robust));
-  BOOST_TEST(!parse<Criterion>("Exact").has_value());
-  BOOST_TEST(!parse<Objective>("").has_value());
-  BOOST_TEST(!parse<PulseWarning>("none").has_value());
 }
 
 BOOST_AUTO_TEST_CASE(wrong_numbers_of_arrivals_are_refused) {

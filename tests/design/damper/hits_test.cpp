@@ -175,11 +175,7 @@ BOOST_AUTO_TEST_CASE(the_worst_of_a_range_of_springs_is_that_of_some_spring) {
   BOOST_TEST(missed < mixed / 20);
 }
 
-BOOST_AUTO_TEST_CASE(names_are_read_back_and_wrong_input_is_refused) {
-  for (const std::string_view text : names<HitEnd>()) {
-    BOOST_TEST(name(parse<HitEnd>(text).value()) == text);
-  }
-  BOOST_TEST(!parse<HitEnd>("nowhere"));
+BOOST_AUTO_TEST_CASE(wrong_input_is_refused) {
   BOOST_CHECK_THROW((void)hits({1, -1, 0}, 1, 1), InputError);
   BOOST_CHECK_THROW((void)hits({1, 1, 1}, 0, 1), InputError);
   BOOST_CHECK_THROW((void)hits({1, 1, 1}, 1, 0), InputError);
