@@ -35,6 +35,15 @@ void is_the_motion_in_pieces(const Scene<>& scene) {
     BOOST_TEST(std::ranges::count(path.events(), kind, &Event::kind) ==
                std::ranges::count(pieces.events(), kind, &Event::kind));
   }
+  for (const HalfCycle& now : first_half_cycles(scene.oscillator(), scene.start(), 100'000)) {
+    for (const auto& [tau, x] : {std::pair(now.peak_time, now.side * now.peak),
+                                 std::pair(now.end_time, now.end_position)}) {
+      BOOST_TEST(std::ranges::any_of(path.events(), [&, tau = tau, x = x](const Event& event) {
+        return std::abs(event.state.tau - tau) <= 1e-14 * horizon &&
+               std::abs(event.state.x - x) <= 1e-14 * r.peak_amplitude;
+      }));
+    }
+  }
   for (int i = 0; i < 50; ++i) {
     same(path.at(horizon * i / 50), pieces.at(horizon * i / 50));
   }

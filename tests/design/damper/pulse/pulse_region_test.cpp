@@ -297,6 +297,9 @@ BOOST_AUTO_TEST_CASE(with_ranges_every_pulse_counts) {
   // The weakest returns for f <= 0.225, and the peak of the strongest is 2 (0.55 - f).
   const RegionAnswer bounds = answer(task);
   const auto close = tt::tolerance(1e-8);
+  BOOST_TEST(bounds.region.beta_min == 2 * (0.55 - 0.225), close);
+  // From the peak A = 2 (k - f) the mass comes back with A (A - 2 f).
+  BOOST_TEST(at(task, 0.2, 2).delta1_exact.value() == 0.7 * (0.7 - 0.4) / 2, close);
   BOOST_TEST(bounds.intervals.value().front().low == 0.1, close);
   BOOST_TEST(bounds.intervals->front().high == 0.225, close);
   BOOST_TEST((violated(at(task, 0.0999, 2)) == Names{"amplitude"}));
