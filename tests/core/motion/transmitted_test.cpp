@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "motion.hpp"
 
-// What the structure feels, docs/forced.md section 10: by hand, and along random motions at many
-// instants. forced_random_test compares it with 50 digits.
+// What the structure feels, docs/forced.md section 10, along random motions at many instants.
+// forced_rules_test has it by hand, practice_test in notches with a width, forced_random_test in 50
+// digits.
 
 namespace stillpoint::test {
 
@@ -159,40 +160,6 @@ BOOST_AUTO_TEST_CASE(random_motions_feel_what_the_law_of_motion_says_at_many_ins
   BOOST_TEST(locked > count / 40);
   BOOST_TEST(loaded > count / 100);
   BOOST_TEST(inside > count / 80);
-}
-
-BOOST_AUTO_TEST_CASE(a_notch_with_a_width_transmits_its_friction_and_the_spring) {
-  // p = 1, f = 0.1, w = 0.2, from x = 0 with v0 = 1 freely out to A, A^2 + 2 f A = 1. Coming back
-  // it passes where 2 delta is less than A^2 - 2 f A - 2 f w/2 - (w/2)^2, v^2 at the other edge,
-  // and else turns inside, a beyond x = 0: A^2 - 2 f A - delta = a^2 + 2 F a, F = f + delta/w.
-  const double f = 0.1;
-  const double peak = std::sqrt(1 + f * f) - f;
-  const double at_zero = peak * (peak - 2 * f);
-  const auto felt = [&](double delta) {
-    const double inside = f + delta / 0.2;
-    const double turn = std::sqrt(inside * inside + at_zero - delta) - inside;
-    return inside + std::min(turn, 0.1);
-  };
-  // Half of delta on the way to x = 0, so that 0.3 is passed, with v^2 = 0.008, and 0.35 is not.
-  for (const double delta : {0.3, 0.35, 0.5, 0.6}) {
-    for (const Excitation& nothing : {Excitation(), Excitation(Record{{0, 0}, 1, {}})}) {
-      close(run({1, f, delta}, {0, 1}, nothing, {}, {0.2, {}}).peak_absolute_acceleration,
-            felt(delta));
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_mass_held_in_a_notch_with_a_width_feels_the_load) {
-  // F = 0.1 + 0.3/0.2 = 1.6 holds it at x = 0 up to W = 1.5; more than 1.6 frees it, and then it
-  // feels F + x, at most to where W = 0 lets it turn.
-  const auto felt = [](double load) {
-    return run({1, 0.1, 0.3}, {}, Record{{0, load, 0}, 0.01, {}}, {}, {0.2, {}})
-        .peak_absolute_acceleration;
-  };
-  close(felt(1.5), 1.5);
-  close(felt(-1.5), 1.5);
-  BOOST_TEST(felt(2) > 1.6);
-  BOOST_TEST(felt(2) < 1.6 + 2 * 0.02 * 0.02);  // |x''| < 2 for less than 0.02
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -46,12 +46,7 @@ class RandomSource {
     }
   }
 
-  /// 1 + or - a relative distance from 1e-12 to 0.1.
-  double beside() { return pick(2) == 0 ? 1 + beside_distance() : 1 - beside_distance(); }
-
  private:
-  double beside_distance() { return log_uniform(1e-12, 1e-1); }
-
   std::uint64_t seed_;
   std::mt19937_64 engine_;
 };
