@@ -24,33 +24,27 @@ struct Wanted {
 std::vector<Wanted> wanted() {
   const std::string data = STILLPOINT_DATA_DIR;
   const std::string deep = data + "/records/../records/../records/../records/";  // a long path
+  const std::string pulse = data + "/records/near_fault_pulse.txt";
   return {
       {"design", {"design", data + "/scenes/isolator.json"}, 0},
       {"infeasible", {"design", data + "/scenes/infeasible.json"}, 3},
-      {"arrivals", {"design", "--v0", "1", "--p", "1", "--beta", "1", "--arrivals", "20"}, 0},
-      {"free", {"simulate", "--v0", "1", "--p", "1", "--f", "0.02", "--delta", "0.02"}, 0},
-      {"forced",
-       {"simulate", "--period", "2.8", "--f", "0.02", "--delta-m", "0.001", "--record",
-        data + "/records/near_fault_pulse.txt"},
+      {"arrivals", "design --v0 1 --p 1 --beta 1 --arrivals 20", 0},
+      {"free", "simulate --v0 1 --p 1 --f 0.02 --delta 0.02", 0},
+      {"forced", "simulate --period 2.8 --f 0.02 --delta-m 0.001" + Arguments{"--record", pulse},
        0},
       {"spectrum",
-       {"spectrum", data + "/scenes/spectrum.json", "--record",
-        data + "/records/near_fault_pulse.txt", "--record", data + "/records/strong_motion.AT2"},
+       {"spectrum", data + "/scenes/spectrum.json", "--record", pulse, "--record",
+        data + "/records/strong_motion.AT2"},
        0},
-      {"region",
-       {"region", "--v0", "1", "--p", "1", "--beta", "0.9", "--f", "0.26", "--delta", "0.37"},
-       0},
+      {"region", "region --v0 1 --p 1 --beta 0.9 --f 0.26 --delta 0.37", 0},
       {"pulse", {"design", data + "/scenes/pulse.json", "--notch-width-m", "0.03"}, 0},
-      {"sweep",
-       {"sweep", "--v0", "1", "--p", "1", "--f", "0.001:0.35:40:log", "--delta", "0:0.5:30",
-        "--output", "map.csv"},
-       0},
+      {"sweep", "sweep --v0 1 --p 1 --f 0.001:0.35:40:log --delta 0:0.5:30 --output map.csv", 0},
       {"trade_off", {"design", data + "/scenes/trade_off.json"}, 0},
       {"varying", {"design", data + "/scenes/residual.json"}, 0},
       {"records",
-       {"design", "--record", deep + "near_fault_pulse.txt", "--record", deep + "strong_motion.AT2",
-        "--period", "2.8", "--max-displacement", "0.4", "--notch-width-m", "0.1", "--scan-points",
-        "400"},
+       "design --period 2.8 --max-displacement 0.4 --notch-width-m 0.1 --scan-points 400" +
+           Arguments{"--record", deep + "near_fault_pulse.txt", "--record",
+                     deep + "strong_motion.AT2"},
        0},
   };
 }

@@ -8,6 +8,7 @@
 
 namespace {
 
+using namespace stillpoint;
 using namespace stillpoint::browser_test;
 
 /// The contents of a PDF stream; empty if it is not deflated.
@@ -32,6 +33,19 @@ std::string drawing(const std::string& pdf) {
   return text;
 }
 
+/// The PDF of a page.
+std::string printed(const std::string& page, const cli_test::Arguments& options = {}) {
+  const auto& sandbox = pages().sandbox;
+  const Visit visited =
+      visit(sandbox, page + ".html",
+            cli_test::Arguments{"--print-to-pdf=" + sandbox.path(page + ".pdf").string(),
+                                "--no-pdf-header-footer"} +
+                options);
+  BOOST_TEST(visited.exit_code == 0);
+  BOOST_TEST(visited.console.empty(), visited.console);
+  return sandbox.read(page + ".pdf");
+}
+
 auto count(const std::string& text, const std::string& pattern) {
   const std::regex form(pattern);
   return std::distance(std::sregex_iterator(text.begin(), text.end(), form), {});
@@ -44,15 +58,7 @@ BOOST_AUTO_TEST_SUITE(printing)
 BOOST_AUTO_TEST_CASE(gives_a_few_light_pages) {
   for (const auto& [name, report] : pages().reports) {
     BOOST_TEST_CONTEXT(name) {
-      const auto& sandbox = pages().sandbox;
-      const std::string file = name + ".pdf";
-      const Visit visited =
-          visit(sandbox, name + ".html",
-                {"--print-to-pdf=" + sandbox.path(file).string(), "--no-pdf-header-footer",
-                 "--blink-settings=preferredColorScheme=0"});
-      BOOST_TEST(visited.exit_code == 0);
-      BOOST_TEST(visited.console.empty(), visited.console);
-      const std::string pdf = sandbox.read(file);
+      const std::string pdf = printed(name, {"--blink-settings=preferredColorScheme=0"});
       BOOST_TEST(pdf.starts_with("%PDF-"));
       BOOST_TEST(pdf.size() > 10'000U);
       BOOST_TEST(pdf.size() < 1'000'000U);
@@ -81,12 +87,7 @@ BOOST_AUTO_TEST_CASE(gives_at_most_two_pages_of_a_specification) {
       } else {
         sandbox.succeed({"design", scene, "--sheet", "sheet.html"});
       }
-      const Visit visited =
-          visit(sandbox, "sheet.html",
-                {"--print-to-pdf=" + sandbox.path("sheet.pdf").string(), "--no-pdf-header-footer"});
-      BOOST_TEST(visited.exit_code == 0);
-      BOOST_TEST(visited.console.empty(), visited.console);
-      const auto sheets = count(sandbox.read("sheet.pdf"), R"(/Type /Page\b)");
+      const auto sheets = count(printed("sheet"), R"(/Type /Page\b)");
       BOOST_TEST(sheets >= 1);
       BOOST_TEST(sheets <= 2);
     }
