@@ -31,11 +31,6 @@ BOOST_AUTO_TEST_CASE(stops_at_an_interrupt_and_writes_nothing) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(is_refused_at_once_if_its_trajectory_would_be_too_long) {
-  check_refused(*this, {endless("--trajectory motion.csv"),
-                        {"t-end = 1000000000", "too many for a trajectory"}});
-}
-
 BOOST_AUTO_TEST_CASE(shows_progress_on_a_terminal_and_clears_it_at_the_end,
                      *boost::unit_test::precondition(if_terminals)) {
   const Surroundings interrupted{.error_is_terminal = true, .interrupt_at = "tau"};

@@ -82,7 +82,7 @@ BOOST_AUTO_TEST_CASE(of_any_sweep_merge_to_the_bytes_of_the_whole) {
            {front + "--beta 0.8:1.2:5", {"csv"}, {3, 7}},
            {front + "--list betas.csv", {"csv"}, {3, 7}},
            {reduced, {"json"}, {1, 2, 7}},
-           {"sweep --v0 0.5:1:4 --p 1 --beta 0.4:0.9:23 --reduce", {"json"}, {100}},
+           {"sweep --v0 0.5:1:2 --p 1 --beta 0.4:0.9:4 --reduce", {"json"}, {10}},
            {"sweep --v0 1 --p 1 --list list.csv --reduce", {"json"}, {3}},
            {"sweep --velocity 200mm/s:400mm/s:5 --period 2.8s --f 0.02 --delta-m 1mm:6mm:6 "
             "--reduce",
