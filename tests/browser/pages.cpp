@@ -56,11 +56,6 @@ struct Look {
 constexpr std::array looks{Look{"1280", 1280}, Look{"400", 400}, Look{"print", 700}};
 constexpr int height = 9000;  // the whole page is in the window
 
-std::string probe() {
-  std::ifstream file(STILLPOINT_PROBE);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// A page with all pages in frames, which can have any width; windows are wider than 500 pixels.
 std::string page_of_frames(const Pages& made) {
   json points = json::object();
@@ -99,7 +94,8 @@ json look_at_all(Scheme scheme) {
   for (const auto& [name, report] : pages().reports) {
     std::string page = sandbox.read(name + ".html");
     const std::string head = "<head>\n";
-    page.insert(page.find(head) + head.size(), "<script>" + probe() + "</script>\n");
+    page.insert(page.find(head) + head.size(),
+                "<script>" + cli_test::text_of(STILLPOINT_PROBE) + "</script>\n");
     sandbox.write("probed_" + name + ".html", page);
   }
   sandbox.write("frames.html", page_of_frames(pages()));

@@ -9,8 +9,7 @@ using namespace stillpoint::test;
 
 BOOST_AUTO_TEST_CASE(no_number_is_read_by_the_locale) {
   for (const fs::path& file : sources()) {
-    std::ifstream stream(file);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string text = text_of(file);
     for (const char* reads : {"stod(", "stof(", "stold(", "strtod(", "strtof(", "strtold(", "atof(",
                               "scanf(", "lexical_cast<"}) {
       BOOST_TEST(text.find(reads) == std::string::npos, file.lexically_relative(root).string()

@@ -8,12 +8,6 @@ BOOST_AUTO_TEST_SUITE(portability_test)
 
 using namespace stillpoint::test;
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  BOOST_TEST_REQUIRE(stream.good(), file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// Since fmt 11 it is nowhere else.
 BOOST_AUTO_TEST_CASE(who_joins_includes_the_header_for_it) {
   for (const fs::path& file : sources()) {

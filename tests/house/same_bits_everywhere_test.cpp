@@ -20,8 +20,7 @@ BOOST_AUTO_TEST_CASE(no_result_depends_on_the_c_library) {
     if (!computes || std::ranges::count(may, file.filename().string()) > 0) {
       continue;
     }
-    std::ifstream stream(file);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string text = text_of(file);
     const std::sregex_iterator found(text.begin(), text.end(), depends);
     const std::string what = found == std::sregex_iterator() ? "" : found->str();
     BOOST_TEST(what == "", name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "testing/folder.hpp"
 #include "testing/test.hpp"
 
 namespace stillpoint::test {

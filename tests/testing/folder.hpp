@@ -12,6 +12,14 @@
 
 namespace stillpoint::test {
 
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw std::runtime_error("there is no file " + path.string());
+  }
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// A directory that lives as long as the test. A fixture.
 class Folder {
  public:
@@ -36,13 +44,7 @@ class Folder {
       throw std::runtime_error("cannot write " + path(name).string());
     }
   }
-  [[nodiscard]] std::string read(std::string_view name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    if (!file) {
-      throw std::runtime_error("there is no file " + path(name).string());
-    }
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  [[nodiscard]] std::string read(std::string_view name) const { return text_of(path(name)); }
 
  private:
   std::filesystem::path path_;

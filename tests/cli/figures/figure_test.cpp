@@ -3,6 +3,7 @@
 #include "figure_sheet.hpp"
 #include "figure_words.hpp"
 #include "testing/contains.hpp"
+#include "testing/folder.hpp"
 #include "testing/printing.hpp"
 
 #include <stillpoint/figures/figure.hpp>
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <fstream>
 #include <random>
-#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(figure_test)
 
@@ -102,14 +102,6 @@ Figure lines_and_words() {
   return figure;
 }
 
-std::string golden(const std::string& name) {
-  std::ifstream file(std::string(STILLPOINT_GOLDEN) + "/" + name);
-  BOOST_TEST_REQUIRE(file.good(), name);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 using stillpoint::test::contains;
 
 BOOST_AUTO_TEST_SUITE(figure)
@@ -118,13 +110,14 @@ BOOST_AUTO_TEST_CASE(matches_the_golden_file) {
   Figure figure = one_of_everything();
   figure.map = {};
   static const std::regex bytes("base64,[^\"]*");  // of an image are zlib's
-  for (const auto& [name, shown] : {std::pair{"figure.svg", figure},
+  for (const auto& [name, shown] : {std::pair{std::string("figure.svg"), figure},
                                     {"map.svg", map_of_kinds()},
                                     {"lines.svg", lines_and_words()}}) {
     const std::string drawn = svg(shown, Frame::alone);
     std::ofstream(name) << drawn;
     BOOST_TEST(
-        std::regex_replace(drawn, bytes, "base64,") == golden(name),
+        std::regex_replace(drawn, bytes, "base64,") ==
+            stillpoint::test::text_of(STILLPOINT_GOLDEN "/" + name),
         "look at the " << name << " that this test has written; if it is right, it is golden");
   }
 }

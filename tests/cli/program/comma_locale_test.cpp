@@ -3,6 +3,7 @@
 // found and said there is the same.
 #include "cli_test.hpp"
 #include "input/request.hpp"
+#include "json_schema.hpp"
 #include "options/scene.hpp"
 
 #include <stillpoint/answers/answer.hpp>
@@ -88,11 +89,10 @@ std::vector<std::pair<Command, json>> tasks() {
         {"period", "1s:4s:5"},
         {"f", 0.05},
         {"delta_m", "55mm"}}}};
-  for (const auto& entry : fs::directory_iterator(STILLPOINT_DATA_DIR "/scenes")) {
-    std::ifstream file(entry.path());
-    const json scene = entry.path().extension() == ".json" ? json::parse(file) : json();
-    if (scene.is_object() && !scene.contains("record") && !scene.contains("cases") &&
-        !scene.contains("catalogue") && !scene.contains("damping")) {
+  for (const fs::path& path : json_files("scenes")) {
+    const json scene = data_json(path);
+    if (!scene.contains("record") && !scene.contains("cases") && !scene.contains("catalogue") &&
+        !scene.contains("damping")) {
       all.emplace_back(Command::design, scene);
     }
   }

@@ -44,10 +44,9 @@ const std::vector<std::string> tasks{
 
 BOOST_AUTO_TEST_CASE(each_kind_is_listed_with_its_severity) {
   static const std::regex row(R"(\| `([a-z_]+)` \| (info|caution|fault) \| .+ \|)");
-  std::ifstream page(STILLPOINT_DATA_DIR "/../docs/reports.md");
   std::map<std::string, std::string> listed;
   std::smatch match;
-  for (std::string line; std::getline(page, line);) {
+  for (const std::string& line : lines_of(text_of(STILLPOINT_DATA_DIR "/../docs/reports.md"))) {
     if (std::regex_match(line, match, row)) {
       listed[match[1]] = match[2];
     }

@@ -3,8 +3,6 @@
 #include "cli_test.hpp"
 #include "options/command_line.hpp"
 
-#include <cstdio>
-
 BOOST_AUTO_TEST_SUITE(generated_docs_test)
 
 using namespace stillpoint::cli_test;
@@ -13,24 +11,6 @@ namespace cli = stillpoint::cli;
 std::set<std::string> words(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
-}
-
-/// The output of a shell command.
-std::string printed_by(const std::string& command) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"),
-                                                             &::pclose);
-  BOOST_TEST_REQUIRE((pipe != nullptr));
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe.get()) != nullptr) {
-    text += buffer.data();
-  }
-  return text;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::set<std::string> flags_of(cli::Command command) {
@@ -43,47 +23,44 @@ std::set<std::string> flags_of(cli::Command command) {
   return flags;
 }
 
-void write_script(const Sandbox& sandbox) {
-  sandbox.write("stillpoint.bash", cli::bash_completion());
-}
+struct Bash : Sandbox {
+  Bash() { write("stillpoint.bash", cli::bash_completion()); }
 
-/// What bash offers for the last word of a command line.
-std::set<std::string> offered(const Sandbox& sandbox, const std::string& line) {
-  return words(printed_by("cd '" + sandbox.path("").string() +
-                          "' && bash -c 'source ./stillpoint.bash; COMP_WORDS=(" + line +
-                          "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _stillpoint; "
-                          "printf \"%s\\n\" \"${COMPREPLY[@]}\"'"));
-}
+  /// What is offered for the last word of a command line.
+  [[nodiscard]] std::set<std::string> offered(const std::string& line) const {
+    const std::string script = "source ./stillpoint.bash; COMP_WORDS=(" + line +
+                               "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _stillpoint; "
+                               "printf '%s\\n' \"${COMPREPLY[@]}\"";
+    return words(run({"bash", "-c", script}, {.program = "/usr/bin/env"}).out);
+  }
+};
 
-BOOST_FIXTURE_TEST_SUITE(bash, Sandbox)
+BOOST_FIXTURE_TEST_SUITE(bash, Bash)
 
 BOOST_AUTO_TEST_CASE(offers_only_the_options_of_each_command) {
-  write_script(*this);
   for (const cli::CommandHelp& help : cli::all_commands()) {
     const std::string command(cli::name(help.command));
-    BOOST_TEST(offered(*this, "stillpoint " + command + " --") == flags_of(help.command), command);
-    BOOST_TEST(offered(*this, "stillpoint " + command.substr(0, 2)).contains(command));
+    BOOST_TEST(offered("stillpoint " + command + " --") == flags_of(help.command), command);
+    BOOST_TEST(offered("stillpoint " + command.substr(0, 2)).contains(command));
   }
 }
 
 BOOST_AUTO_TEST_CASE(offers_files_for_file_options_and_nothing_for_numbers) {
-  write_script(*this);
   write("scene.json", "{}");
   const std::set<std::string> scene{"scene.json"};
-  BOOST_TEST(offered(*this, "stillpoint design sce") == scene);
-  BOOST_TEST(offered(*this, "stillpoint design --output sce") == scene);
-  BOOST_TEST(offered(*this, "stillpoint design --output = sce") == scene);
-  BOOST_TEST(offered(*this, "stillpoint design --v0 sce").empty());
+  BOOST_TEST(offered("stillpoint design sce") == scene);
+  BOOST_TEST(offered("stillpoint design --output sce") == scene);
+  BOOST_TEST(offered("stillpoint design --output = sce") == scene);
+  BOOST_TEST(offered("stillpoint design --v0 sce").empty());
 }
 
 BOOST_AUTO_TEST_CASE(offers_the_values_of_an_option) {
-  write_script(*this);
   const std::set<std::string> pulses{"half-sine", "full-sine", "rectangle",
                                      "sawtooth",  "trapezoid", "haversine"};
-  BOOST_TEST(offered(*this, "stillpoint design --pulse \"\"") == pulses);
-  BOOST_TEST(offered(*this, "stillpoint design --objective=a") == std::set<std::string>());
+  BOOST_TEST(offered("stillpoint design --pulse \"\"") == pulses);
+  BOOST_TEST(offered("stillpoint design --objective=a") == std::set<std::string>());
   const std::set<std::string> with_a{"amplitude", "acceleration"};
-  BOOST_TEST(offered(*this, "stillpoint design --objective = a") == with_a);
+  BOOST_TEST(offered("stillpoint design --objective = a") == with_a);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

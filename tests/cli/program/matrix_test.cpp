@@ -45,8 +45,7 @@ struct Matrix : Sandbox {
 };
 
 BOOST_FIXTURE_TEST_CASE(each_cell_is_as_it_says, Matrix) {
-  std::ifstream page(STILLPOINT_DATA_DIR "/../docs/commands.md");
-  std::string text{std::istreambuf_iterator<char>(page), {}};
+  const std::string text = text_of(STILLPOINT_DATA_DIR "/../docs/commands.md");
   std::size_t rows = 0;
   std::istringstream lines(text.substr(text.find("| option | hit | pulse |")));
   for (std::string line; std::getline(lines, line) && line.starts_with('|');) {

@@ -21,11 +21,6 @@ std::vector<fs::path> pages() {
   return found;
 }
 
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 /// A command, how it should end, and the lines that the page shows of its output.
 struct Shown {
   Arguments arguments;

@@ -53,10 +53,8 @@ BOOST_AUTO_TEST_CASE(of_the_docs_are_what_the_program_draws) {
   const fs::path scene = fs::path(STILLPOINT_DATA_DIR) / "scenes/isolator.json";
   succeed({"design", scene.string(), "--svg", "figures"});
   for (const char* name : {"region.svg", "hits.svg", "motion.svg", "phase.svg", "energy.svg"}) {
-    std::ifstream file(fs::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name);
-    std::stringstream committed;
-    committed << file.rdbuf();
-    BOOST_TEST(committed.str() == read("figures/" + std::string(name)),
+    BOOST_TEST(text_of(fs::path(STILLPOINT_DATA_DIR) / "../docs/pictures" / name) ==
+                   read("figures/" + std::string(name)),
                name << ": ./dev run design data/scenes/isolator.json --svg docs/pictures");
   }
 }

@@ -15,20 +15,6 @@ namespace cli = stillpoint::cli;
 const fs::path data_dir = STILLPOINT_DATA_DIR;
 const Arguments plain_design("design --v0 1 --p 1 --beta 0.9 --json");
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") {
-      files.push_back(entry.path());
-    }
-  }
-  return files;
-}
-
-json read_json(const fs::path& path) {
-  return data_json(path.lexically_relative(data_dir).string());
-}
-
 std::vector<std::string> scene_faults(const json& scene) {
   static const json schema = data_json("schemas/scene.schema.json");
   return schema_faults(schema, scene, UnknownProperties::pass);
@@ -42,17 +28,14 @@ std::vector<std::string> report_faults(const json& report,
 BOOST_AUTO_TEST_SUITE(scene_schema)
 
 BOOST_AUTO_TEST_CASE(matches_the_options) {
-  std::ifstream file(data_dir / "schemas/scene.schema.json");
-  std::ostringstream text;
-  text << file.rdbuf();
-  BOOST_TEST(text.str() == cli::scene_schema(),
+  BOOST_TEST(text_of(data_dir / "schemas/scene.schema.json") == cli::scene_schema(),
              "the options have changed: build stillpoint_docs and write what `stillpoint_docs "
              "scene-schema` prints into data/schemas/scene.schema.json");
 }
 
 BOOST_AUTO_TEST_CASE(allows_every_scene_that_is_shipped) {
-  for (const fs::path& path : files_in(data_dir / "scenes")) {
-    const std::vector<std::string> faults = scene_faults(read_json(path));
+  for (const fs::path& path : json_files("scenes")) {
+    const std::vector<std::string> faults = scene_faults(data_json(path));
     BOOST_TEST(faults.empty(), path << ": " << (faults.empty() ? "" : faults.front()));
   }
 }
@@ -92,10 +75,8 @@ BOOST_FIXTURE_TEST_SUITE(report_schemas, Sandbox)
 BOOST_AUTO_TEST_CASE(match_the_tables_of_fields) {
   for (const auto& [name, make] : stillpoint::report::report_schemas) {
     BOOST_TEST_CONTEXT(name) {
-      std::ifstream file(data_dir / "schemas" / (std::string(name) + ".schema.json"));
-      std::ostringstream text;
-      text << file.rdbuf();
-      BOOST_TEST((text.str() == stillpoint::report::json_text(make())),
+      const std::string text = text_of(data_dir / "schemas" / (std::string(name) + ".schema.json"));
+      BOOST_TEST((text == stillpoint::report::json_text(make())),
                  "write what `stillpoint_docs " << name << "` prints into that file");
     }
   }
@@ -103,8 +84,8 @@ BOOST_AUTO_TEST_CASE(match_the_tables_of_fields) {
 
 BOOST_AUTO_TEST_CASE(name_the_same_part_alike) {
   std::map<std::string, json> parts;
-  for (const fs::path& path : files_in(data_dir / "schemas")) {
-    const json shared = read_json(path).value("$defs", json::object());
+  for (const fs::path& path : json_files("schemas")) {
+    const json shared = data_json(path).value("$defs", json::object());
     for (const auto& [name, part] : shared.items()) {
       BOOST_TEST(parts.emplace(name, part).first->second == part, path << ": " << name);
     }
@@ -120,7 +101,7 @@ BOOST_AUTO_TEST_CASE(allow_the_reports_that_the_docs_show) {
       {"simulation", {"simulate", scene, "--f", "0.006", "--delta-m", "0.001", "--json"}}};
   for (const auto& [name, command] : commands) {
     BOOST_TEST_CONTEXT(name) {
-      const json shown = read_json(data_dir / ("../docs/examples/" + name + ".json"));
+      const json shown = data_json("../docs/examples/" + name + ".json");
       const json printed = run(command).json();
       BOOST_TEST(report_faults(shown, UnknownProperties::fail).empty());
       const auto fields = [](const json& report) {

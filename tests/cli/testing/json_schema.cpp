@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "json_schema.hpp"
+#include "testing/folder.hpp"
 
 #include <fmt/format.h>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <stdexcept>
@@ -131,14 +130,11 @@ struct Validator {
 
 std::map<std::string, json> read_report_schemas() {
   std::map<std::string, json> schemas;
-  const std::filesystem::path folder = std::filesystem::path(STILLPOINT_DATA_DIR) / "schemas";
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") {
-      json schema = data_json("schemas/" + entry.path().filename().string());
-      if (schema.at("properties").contains("schema")) {  // a scene has none
-        const auto name = schema["properties"]["schema"].at("const").get<std::string>();
-        schemas[name] = std::move(schema);
-      }
+  for (const std::filesystem::path& path : json_files("schemas")) {
+    json schema = data_json(path);
+    if (schema.at("properties").contains("schema")) {  // a scene has none
+      const auto name = schema["properties"]["schema"].at("const").get<std::string>();
+      schemas[name] = std::move(schema);
     }
   }
   return schemas;
@@ -162,13 +158,19 @@ const json& report_schema(const std::string& name) {
   return found->second;
 }
 
-json data_json(std::string_view file) {
-  const std::filesystem::path path = std::filesystem::path(STILLPOINT_DATA_DIR) / file;
-  std::ifstream stream(path);
-  if (!stream) {
-    throw std::runtime_error("cannot be read: " + path.string());
+json data_json(const std::filesystem::path& file) {
+  return json::parse(test::text_of(STILLPOINT_DATA_DIR / file));
+}
+
+std::vector<std::filesystem::path> json_files(std::string_view folder) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(STILLPOINT_DATA_DIR) / folder)) {
+    if (entry.path().extension() == ".json") {
+      files.push_back(entry.path());
+    }
   }
-  return json::parse(stream);
+  return files;
 }
 
 void check_report_schema(std::string_view text) {

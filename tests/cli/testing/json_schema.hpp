@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,7 +24,10 @@ enum class UnknownProperties { pass, fail };
 [[nodiscard]] const nlohmann::json& report_schema(const std::string& name);
 
 /// The contents of data/FILE; throws if it is not JSON.
-[[nodiscard]] nlohmann::json data_json(std::string_view file);
+[[nodiscard]] nlohmann::json data_json(const std::filesystem::path& file);
+
+/// The files .json in a folder of data.
+[[nodiscard]] std::vector<std::filesystem::path> json_files(std::string_view folder);
 
 /// Asserts that `text`, where it is a JSON object, is a report that its schema allows.
 void check_report_schema(std::string_view text);

@@ -17,6 +17,7 @@ namespace stillpoint::cli_test {
 using test::check_contains;
 using test::contains;
 using test::one_line;
+using test::text_of;
 
 /// The words behind the name of the program.
 struct Arguments : std::vector<std::string> {
