@@ -3,7 +3,7 @@
 import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { load_engine } from "../../../cli/explorer/load.mjs";
-import { random_from } from "../explorer/random.mjs";
+import { random_from, random_task } from "../explorer/random.mjs";
 
 const [script, program, seed = "20081"] = process.argv.slice(2);
 const tasks = 200;
@@ -21,18 +21,6 @@ const one_of = (list) => list[Math.floor(random() * list.length)];
 
 /** @typedef {Record<string, any>} Task the options of a command */
 
-/** @returns {Task} */
-const hit = () =>
-  random() < 0.5
-    ? { v0: between(0.1, 3), p: between(0.3, 3) }
-    : { velocity: `${between(0.05, 2)}`, period: `${between(0.3, 5)}s` };
-/** @param {Task} task @returns {Task} */
-const stroke = (task) =>
-  task.v0 === undefined
-    ? {
-        "max-displacement": `${(between(0.5, 1.1) * task.velocity * parseFloat(task.period) * 1000) / 6.28}mm`,
-      }
-    : { beta: (between(0.5, 1.1) * task.v0) / task.p };
 const now_and_then = (/** @type {Task} */ options) => (random() < 0.2 ? options : {});
 
 /** @returns {Task} */
@@ -79,41 +67,33 @@ function shaken(number) {
 /** A task of each command in turn. @param {number} number @returns {[string, Task]} */
 function task(number) {
   if (number % 5 === 4) return shaken(number);
-  const options = hit();
+  /** @type {Task} */
+  const options = Object.fromEntries(new URLSearchParams(random_task(random)));
   if (number % 3 === 2) {
-    Object.assign(options, { f: between(0, 0.5), delta: between(0, 0.3) });
-    if (options.v0 !== undefined && random() < 0.4) {
-      Object.assign(options, {
-        excitation: one_of([
-          "harmonic",
-          "half-sine",
-          "full-sine",
-          "sawtooth",
-          "trapezoid",
-          "haversine",
-        ]),
+    /** @type {Task} */
+    const motion = { f: between(0, 0.5), delta: between(0, 0.3) };
+    for (const name of ["v0", "p", "velocity", "period", "natural-frequency", "mass"]) {
+      if (options[name]) motion[name] = options[name].split(":")[0]; // of one hit
+    }
+    if (motion.v0 !== undefined && random() < 0.4) {
+      const waves = [...pulses.filter((name) => name !== "rectangle"), "harmonic"];
+      Object.assign(motion, {
+        excitation: one_of(waves),
         k: between(0.2, 2),
         lambda: between(0.3, 3),
       });
-      if (options.excitation === "harmonic") options["t-end"] = between(5, 60);
+      if (motion.excitation === "harmonic") motion["t-end"] = between(5, 60);
     }
-    return ["simulate", options];
+    return ["simulate", motion];
   }
-  Object.assign(
-    options,
-    stroke(options),
-    now_and_then({ arrivals: one_of([1, 2, 3]) }),
-    now_and_then({ "tolerance-f": 0.05 }),
-    now_and_then({ "acceleration-max": between(0.5, 3) }),
-  );
+  Object.assign(options, now_and_then({ "tolerance-f": 0.05 }));
+  Object.assign(options, now_and_then({ "acceleration-max": between(0.5, 3) }));
   if (number % 3 === 1) {
+    delete options.objective;
     if (random() < 0.5) Object.assign(options, { f: between(0, 0.5), delta: between(0, 0.3) });
     return ["region", options];
   }
-  return [
-    "design",
-    { ...options, ...now_and_then({ objective: one_of(["robust", "time", "peak"]) }) },
-  ];
+  return ["design", options];
 }
 
 /** Without wall times, folders, and what the integrator of the check says of a pulse: its last digits differ. */
