@@ -30,17 +30,6 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-BOOST_AUTO_TEST_CASE(of_the_program_lists_its_commands_with_examples) {
-  for (const char* flag : {"--help", "-h"}) {
-    const ProgramRun answer = succeed({flag});
-    BOOST_TEST(answer.err.empty(), answer.err);
-    for (const Command command : commands) {
-      BOOST_TEST(contains(answer.out, std::string("  ") + std::string(name(command))));
-    }
-    BOOST_TEST(contains(answer.out, "stillpoint design "), "no example in\n" << answer.out);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(of_a_command_lists_only_its_options) {
   for (const Command command : commands) {
     const ProgramRun answer = succeed({std::string(name(command)), "--help"}, of_width("1000"));

@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(is_csv_or_arrays) {
   }
 }
 
-/// The rest is in sweep_list_test.
+/// The rest is in tests/cli/program/commands/sessions/sweeps.txt.
 BOOST_AUTO_TEST_CASE(a_wrong_one_is_refused_with_its_line) {
   check_wrong("", 0, "is empty");
   check_wrong("f\n0.1,2\n", 2, "has 2 values, but the header names 1 column");

@@ -9,28 +9,6 @@ BOOST_AUTO_TEST_SUITE(wrong_input_test)
 using namespace stillpoint::cli_test;
 namespace cli = stillpoint::cli;
 
-void check_no_number(const Sandbox& sandbox, std::string_view command, std::string_view option,
-                     const std::string& text) {
-  BOOST_TEST_CONTEXT(command << " --" << option << " " << text) {
-    const std::string name(option);
-    check_refusal(sandbox.run({std::string(command), "--" + name, text}),
-                  {name + " = ", text, "must "});
-  }
-}
-
-BOOST_FIXTURE_TEST_CASE(no_text_is_taken_for_a_number, Sandbox) {
-  const Texts texts{"",    "abc", "nan", "NAN", "inf",  "-inf", "infinity", "1,5",
-                    "1 2", "0x3", "1e",  " 1",  "1.5m", "∞",    "1e400",    "-1e400"};
-  for (const std::string& text : texts) {
-    check_no_number(*this, "design", "v0", text);
-    check_no_number(*this, "simulate", "samples", text);
-  }
-  for (const char* text : {"1.5", "1e-3", "99999999999999999999"}) {
-    check_no_number(*this, "simulate", "samples", text);
-  }
-  BOOST_TEST(contents().empty());
-}
-
 /// For every option of every command, too many to start a process for each.
 BOOST_AUTO_TEST_CASE(no_option_takes_a_text_for_a_number) {
   for (const cli::Option& option : cli::options()) {
