@@ -242,7 +242,7 @@ constexpr auto rows = std::to_array<Option>(
      row("title", text, "TEXT", reporting, content, InPython{}),
      row("json", flag, "", reporting, output),
      row("output", text, "FILE", reporting, output, FileUse::written,
-         InPython{sweep, "a file for the rows, or for the report of a part without rows"}),
+         InPython{sweep, "a file for the rows, or without rows for the report"}),
      row("quiet", flag, "", reporting, Rivals::verbosity, output),
      row("verbose", flag, "", reporting, Rivals::verbosity, output)});
 

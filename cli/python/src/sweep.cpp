@@ -152,8 +152,8 @@ void add_sweep(py::module_& module) {
                     "\"a,b,c\". A list is a file, or arrays: {\"f\": f, \"delta\": delta}. The "
                     "result has a table, a structured array with a field for each "
                     "column; outcome is an index in stillpoint.outcomes. With output the rows "
-                    "go to that file instead. With reduce there are no rows, but counts, extremes, "
-                    "histograms and the best.")
+                    "go to that file instead. With reduce there are no rows, but counts, extremes "
+                    "and histograms.")
           .c_str());
 }
 

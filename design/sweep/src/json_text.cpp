@@ -158,7 +158,7 @@ class JsonCheck {
   /// The lines before this, and where the last of them begins.
   const char* counted_{text_.data()};
   const char* line_begin_{text_.data()};
-  std::size_t line_{file_.line.value_or(1)};  ///< the text may be one line of a file
+  std::size_t line_{1};
   KeyPlaces places_;
   std::string outer_;                        ///< the last key of the text's object
   std::string last_;                         ///< key

@@ -23,8 +23,6 @@ namespace stillpoint::sweep {
 
 namespace {
 
-constexpr std::int64_t longest_header = std::int64_t{1} << 20U;
-
 [[noreturn]] void refuse_part(const Checkpoint& part, std::string_view why) {
   throw records::FileError({.kind = "part", .path = part.path}, why);
 }
@@ -92,71 +90,46 @@ Parts read_parts(const std::vector<std::string>& paths) {
   return parts;
 }
 
-/// Writes the rows of all parts one after the other.
-class Joiner {
- public:
-  Joiner(RowSink& sink, Merged& merged, const MergeWatch& watch)
-      : sink_(sink), merged_(merged), watch_(watch) {}
-
-  void join(const std::vector<Checkpoint>& parts) {
-    try {
-      merged_.stopped =
-          !std::ranges::all_of(parts, [this](const Checkpoint& part) { return append(part); });
-      if (!merged_.stopped) {
-        return sink_.finish(header_);
-      }
-    } catch (...) {
-      sink_.leave();
-      throw;
-    }
-    sink_.leave();
-  }
-
- private:
-  void write(std::string_view bytes) {
-    sink_.write(bytes);
-    merged_.bytes += static_cast<std::int64_t>(bytes.size());
-  }
-
-  /// That of the whole sweep comes first, alone.
-  void write_header(const Checkpoint& part, const std::string& header) {
-    const std::string whole = with_rows(header, part.whole.entries);
-    if (header_.empty()) {
-      write(header_ = whole);
-    } else if (whole != header_) {
+/// Writes the rows of all parts one after the other, behind the header of the whole. After a stop
+/// they are not complete.
+void join(const std::vector<Checkpoint>& parts, RowSink& sink, Merged& merged,
+          const MergeWatch& watch) {
+  std::vector<char> buffer(std::size_t{1} << 20U);
+  std::string header;
+  const auto write = [&](std::string_view bytes) {
+    sink.write(bytes);
+    merged.bytes += std::ssize(bytes);
+  };
+  for (const Checkpoint& part : parts) {
+    std::ifstream file(part.path, std::ios::binary);
+    const auto read = [&](std::int64_t most) {
+      file.read(buffer.data(), std::min(most, std::ssize(buffer)));
+      return std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount()));
+    };
+    const std::string whole = with_rows(std::string(read(part.state.header)), part.whole.entries);
+    if (header.empty()) {
+      write(header = whole);
+    } else if (whole != header) {
       refuse_part(part, "has numbers in a different byte order");
     }
-  }
-
-  /// Appends the rows of a part. False after a stop.
-  bool append(const Checkpoint& part) {
-    std::ifstream file(part.path, std::ios::binary);
-    std::string header(static_cast<std::size_t>(std::min(part.state.header, longest_header)), '\0');
-    file.read(header.data(), std::ssize(header));
-    write_header(part, header);
-    for (std::int64_t left = part.state.bytes - std::ssize(header); left > 0;
+    for (std::int64_t left = part.state.bytes - part.state.header; left > 0;
          left -= file.gcount()) {
-      if (watch_.stop.stop_requested()) {
-        return false;
+      merged.stopped = watch.stop.stop_requested();
+      if (merged.stopped) {
+        return;
       }
-      file.read(buffer_.data(), std::min<std::int64_t>(left, std::ssize(buffer_)));
-      if (file.gcount() == 0) {
+      const std::string_view rows = read(left);
+      if (rows.empty()) {
         refuse_part(part, "cannot be read to its end");
       }
-      write({buffer_.data(), static_cast<std::size_t>(file.gcount())});
-      if (watch_.progress) {
-        watch_.progress(merged_);
+      write(rows);
+      if (watch.progress) {
+        watch.progress(merged);
       }
     }
-    return true;
   }
-
-  RowSink& sink_;
-  Merged& merged_;
-  const MergeWatch& watch_;
-  std::string header_;
-  std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 20U);
-};
+  sink.finish(header);
+}
 
 }  // namespace
 
@@ -177,7 +150,15 @@ Merged merge(const std::string& output, const std::vector<std::string>& parts,
   if (merged.whole.state.reduction.row.empty()) {
     const std::unique_ptr<RowSink> sink =
         open_whole(output, fmt::format(R"({{"merge_of": {}}})", parts.size()));
-    Joiner(*sink, merged, watch).join(ordered);
+    try {
+      join(ordered, *sink, merged, watch);
+    } catch (...) {
+      sink->leave();
+      throw;
+    }
+    if (merged.stopped) {
+      sink->leave();
+    }
   }
   return merged;
 }

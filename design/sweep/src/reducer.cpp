@@ -116,44 +116,39 @@ void reduce(Histogram& histogram, const Share& share) {
   }
 }
 
-InputError wrong(std::string_view option, std::string_view text, std::string_view bound) {
-  return {std::string(option),
-          fmt::format("\"{}\"", records::printable(text, records::longest_word)),
+InputError wrong(std::string_view text, std::string_view bound) {
+  return {"histogram", fmt::format("\"{}\"", records::printable(text, records::longest_word)),
           std::string(bound)};
 }
 
-/// The column before the first ':', and what follows.
-std::pair<Quantity, std::string_view> column_of(std::string_view option, std::string_view text,
-                                                const std::vector<Quantity>& columns,
-                                                const std::optional<SweepUnits>& units) {
-  const std::size_t colon = std::min(text.find(':'), text.size());
-  const std::string_view asked = text.substr(0, colon);
+Quantity column_of(std::string_view text, std::string_view asked,
+                   const std::vector<Quantity>& columns, const std::optional<SweepUnits>& units) {
   std::vector<Quantity> numbers = columns;
   std::erase_if(numbers, [](Quantity column) { return form(column) != Form::number; });
-  for (const Quantity column : numbers) {
-    if (name(column, units) == asked) {
-      return {column, text.substr(std::min(colon + 1, text.size()))};
-    }
+  const auto found =
+      std::ranges::find(numbers, asked, [&](Quantity column) { return name(column, units); });
+  if (found == numbers.end()) {
+    throw wrong(
+        text,
+        fmt::format("must begin with a column of numbers: {}; --times and --columns add others",
+                    names(numbers, units)));
   }
-  throw wrong(
-      option, text,
-      fmt::format("must begin with a column of numbers: {}; --times and --columns add others",
-                  names(numbers, units)));
+  return *found;
 }
 
 /// Of what follows the column: a range of N bins has N + 1 edges.
-Axis edges_of(std::string_view option, std::string_view text, std::string_view rest) {
+Axis edges_of(std::string_view text, std::string_view rest) {
   const std::vector<std::string_view> parts = records::split(rest, ':');
   const std::string_view bins =
       parts.size() > 2 ? std::string_view(parts[2].begin(), rest.end()) : "";
   const bool one_bin = bins == "1" || bins == "1:log";
   try {
-    const Axis asked =
-        parse_axis(option, one_bin ? fmt::format("{},{}", parts[0], parts[1]) : std::string(rest));
+    const Axis asked = parse_axis(
+        "histogram", one_bin ? fmt::format("{},{}", parts[0], parts[1]) : std::string(rest));
     const auto spacing = asked.spacing();
     return spacing ? Axis(asked[0], asked[asked.size() - 1], asked.size() + 1, *spacing) : asked;
   } catch (const InputError&) {
-    throw wrong(option, text,
+    throw wrong(text,
                 "must be COLUMN:LOW:HIGH:BINS, COLUMN:LOW:HIGH:BINS:log with LOW > 0, or "
                 "COLUMN:EDGE,EDGE,...");
   }
@@ -163,20 +158,19 @@ Axis edges_of(std::string_view option, std::string_view text, std::string_view r
 
 BinsRequest parse_bins(std::string_view text, const std::vector<Quantity>& columns,
                        const std::optional<SweepUnits>& units) {
-  const std::string_view option = "histogram";
-  const auto [column, rest] = column_of(option, text, columns, units);
-  const Axis edges = edges_of(option, text, rest);
   constexpr std::int64_t most_bins = 100'000;  // each thread has its own
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  BinsRequest result{column_of(text, text.substr(0, colon), columns, units), {}};
+  const Axis edges = edges_of(text, text.substr(std::min(colon + 1, text.size())));
   if (edges.size() < 2 || edges.size() > most_bins + 1) {
-    throw wrong(option, text, fmt::format("must have 1 to {} bins", most_bins));
+    throw wrong(text, fmt::format("must have 1 to {} bins", most_bins));
   }
-  BinsRequest result{column, {}};
   result.edges.reserve(static_cast<std::size_t>(edges.size()));
   for (std::int64_t i = 0; i < edges.size(); ++i) {
     result.edges.push_back(edges[i]);
   }
   if (std::ranges::adjacent_find(result.edges, std::greater_equal()) != result.edges.end()) {
-    throw wrong(option, text, "must have increasing edges");
+    throw wrong(text, "must have increasing edges");
   }
   return result;
 }

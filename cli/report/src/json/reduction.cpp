@@ -93,35 +93,29 @@ constexpr auto reduction_table = [] {
   using sweep::SweepState;
   constexpr auto kind = in(&Now::found, &Checkpoint::kind);
   constexpr auto state = in(&Now::found, &Checkpoint::state);
-  constexpr auto of_motions = [=](auto get) { return only_of(false, kind, state, get); };
   return std::tuple_cat(
       head_fields<Now, reduction_names>,
-      std::tuple{
-          Field{"kind", kind}, Field{"part", &Now::part, "null for a whole sweep"},
-          Field{"entries", in(&Now::found, &Checkpoint::whole, &sweep::ListExtent::entries),
-                "of the whole sweep"},
-          Field{"rows", in(state, &SweepState::rows), "the entries in this report"},
-          Field{"outcomes", of_motions(in(&SweepState::outcomes, &outcomes_of)),
-                "how many entries have each; null for designs, like the next two"},
-          Field{"locked", of_motions(&SweepState::locked),
-                "motions that the notch holds while the load goes on"},
-          Field{"locked_outcomes", of_motions(in(&SweepState::locked_outcomes, &outcomes_of)),
-                "how many of them have each outcome"},
-          Field{"feasible", only_of(true, kind, state, &SweepState::feasible),
-                "how many designs there are; null for motions"},
-          Field{"row",
-                [](const Now& now) {
-                  return mapped(now.found.state.reduction.row, &RowColumn::name);
-                },
-                "the columns of the rows below", at_least_one},
-          Field{"columns", of_columns<ShownColumn>(&Reduction::columns),
-                "of each result that is a number"},
-          Field{"histograms", of_columns<ShownHistogram>(&Reduction::histograms)},
-          Field{"task",
-                [](const Now& now) {
-                  return Printed<task_schema>{ordered_json::parse(now.found.task)};
-                },
-                "the options that decide the numbers"}});
+      std::tuple{Field{"kind", kind}, Field{"part", &Now::part, "null for a whole sweep"},
+                 Field{"entries", in(&Now::found, &Checkpoint::whole, &sweep::ListExtent::entries),
+                       "of the whole sweep"},
+                 Field{"rows", in(state, &SweepState::rows), "the entries in this report"}},
+      ended_fields(kind, state),
+      std::tuple{Field{"locked_outcomes",
+                       only_of(false, kind, state, in(&SweepState::locked_outcomes, &outcomes_of)),
+                       "how many of the locked motions have each outcome; null for designs"},
+                 Field{"row",
+                       [](const Now& now) {
+                         return mapped(now.found.state.reduction.row, &RowColumn::name);
+                       },
+                       "the columns of the rows below", at_least_one},
+                 Field{"columns", of_columns<ShownColumn>(&Reduction::columns),
+                       "of each result that is a number"},
+                 Field{"histograms", of_columns<ShownHistogram>(&Reduction::histograms)},
+                 Field{"task",
+                       [](const Now& now) {
+                         return Printed<task_schema>{ordered_json::parse(now.found.task)};
+                       },
+                       "the options that decide the numbers"}});
 }();
 
 }  // namespace

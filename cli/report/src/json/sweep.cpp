@@ -77,20 +77,15 @@ constexpr auto sweep_table = [] {
                 "the numbers in the column record"},
           Field{"part", in(&Now::spec, &SweepSpec::part), "null for a whole sweep"},
           Field{"rows", in(&Now::summary, &SweepSummary::state, &SweepState::rows),
-                "all rows in the file"},
-          Field{"outcomes", only_of(false, kind, state, in(&SweepState::outcomes, &outcomes_of)),
-                "how many rows have each outcome; null for designs"},
-          Field{"locked", only_of(false, kind, state, &SweepState::locked),
-                "motions that the notch holds while the load goes on"},
-          Field{"feasible", only_of(true, kind, state, &SweepState::feasible),
-                "how many designs there are; null for motions"},
-          Field{"resumed_at", in(&Now::summary, &SweepSummary::resumed_at),
-                "how many rows existed when this run began"},
-          Field{"threads", [](const Now& report) { return int{report.spec.threads}; }, "",
-                at_least_one},
-          Field{"wall_time_s", in(&Now::summary, &SweepSummary::wall_time_s),
-                "of this run only, like rows_per_s"},
-          Field{"rows_per_s", [](const Now& report) { return rate(report.summary); }}});
+                "all rows in the file"}},
+      ended_fields(kind, state),
+      std::tuple{Field{"resumed_at", in(&Now::summary, &SweepSummary::resumed_at),
+                       "how many rows existed when this run began"},
+                 Field{"threads", [](const Now& report) { return int{report.spec.threads}; }, "",
+                       at_least_one},
+                 Field{"wall_time_s", in(&Now::summary, &SweepSummary::wall_time_s),
+                       "of this run only, like rows_per_s"},
+                 Field{"rows_per_s", [](const Now& report) { return rate(report.summary); }}});
 }();
 
 }  // namespace

@@ -22,6 +22,18 @@ constexpr auto only_of(bool designs, auto kind, auto state, auto get) {
   return only_if(holds, in(state, get));
 }
 
+/// How the entries of a sweep end, from its kind and its state.
+constexpr auto ended_fields(auto kind, auto state) {
+  using sweep::SweepState;
+  return std::tuple{
+      Field{"outcomes", only_of(false, kind, state, in(&SweepState::outcomes, &outcomes_of)),
+            "how many rows have each outcome; null for designs"},
+      Field{"locked", only_of(false, kind, state, &SweepState::locked),
+            "motions that the notch holds while the load goes on; null for designs"},
+      Field{"feasible", only_of(true, kind, state, &SweepState::feasible),
+            "how many designs there are; null for motions"}};
+}
+
 }  // namespace stillpoint::report
 
 namespace stillpoint {

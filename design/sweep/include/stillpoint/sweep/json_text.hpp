@@ -15,7 +15,7 @@ using KeyPlaces = std::map<std::string, records::FilePlace>;
 
 /// Throws FileError, with line and column, unless the text is a JSON object, which may have
 /// comments, in which no key appears twice, nothing is nested deeper than 16 levels and every
-/// number fits a double. With a line in `file`, the text begins there.
+/// number fits a double.
 KeyPlaces require_json_object(std::string_view text, const records::FilePlace& file);
 
 }  // namespace stillpoint::sweep
