@@ -32,7 +32,8 @@ DampedTask drawn(RandomSource& random) {
   if (!problem.residual) {
     random.one_in(3, problem.p_high, [&] { return problem.p * random.uniform(1, 1.1); });
   }
-  const double least = random.uniform(0.01, 0.1);
+  problem.breakaway = random.pick(2) == 0 ? 1 : random.uniform(1, 2);
+  const double least = random.pick(5) == 0 ? 0 : random.uniform(0.01, 0.1);
   task.zeta = {least, random.pick(2) == 0 ? least : least + random.uniform(0.01, 0.05)};
   return task;
 }
@@ -60,7 +61,7 @@ bool serves(const DampedTask& task, double f, double delta) {
       for (int z = 0; z <= dampings; ++z) {
         const double p = std::lerp(problem.p, problem.stiffest_p(), double(k) / springs);
         const double zeta = std::lerp(task.zeta.low, task.zeta.high, double(z) / dampings);
-        if (v0 * v0 > 2 * delta && !rests(task, {p, f, delta, {}, zeta}, v0)) {
+        if (v0 * v0 > 2 * delta && !rests(task, {p, f, delta, {}, zeta, problem.breakaway}, v0)) {
           return false;
         }
       }

@@ -17,6 +17,7 @@ inline RecordDesignRequest as_case(const DesignRequest& exact, const Interval& z
   only.limits.passages = static_cast<double>(problem.arrivals - 1);
   only.limits.acceleration = limits.acceleration_max;
   request.p = {problem.p, problem.p};
+  request.breakaway = problem.breakaway;
   request.f_max = limits.f_max;
   request.delta_max = limits.delta_max;
   if (problem.p_high) {

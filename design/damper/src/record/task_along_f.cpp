@@ -49,11 +49,10 @@ bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
                        task.zeta.low == task.zeta.high;
 }
 
-/// Breakaway friction holds no mass whose turn is far enough off to come back to x = 0, which is at
-/// 2 f/p^2 at least: (D16).
+/// Up to twice f breakaway friction holds no mass that could have come back to x = 0: (D16).
 bool slides_off(const RecordDesignRequest& task, const LoadCase& only) {
   constexpr double most = 2;
-  return task.breakaway == 1 || (task.breakaway <= most && only.v0 && only.limits.residual == 0.0);
+  return task.breakaway == 1 || (task.breakaway <= most && only.v0);
 }
 
 bool is_along_f(const RecordDesignRequest& task) {
@@ -119,6 +118,7 @@ TaskAlongF TaskAlongF::posed(const RecordDesignRequest& task) {
     hit.p_high = stiffest;
     hit.residual = only.limits.residual > 0.0 ? only.limits.residual : std::nullopt;
     hit.zeta = task.zeta;
+    hit.breakaway = task.breakaway;
   } else {
     auto& pulse = known.problem_.emplace<PulseProblem>();
     pulse = {*only.pulse, softest, *only.limits.peak, Criterion::exact};
@@ -137,6 +137,10 @@ TaskAlongF TaskAlongF::posed(const RecordDesignRequest& task) {
 std::optional<WorksFor> TaskAlongF::works_for(const RecordDesignRequest& task,
                                               const SuiteDamper& damper) {
   if (!is_along_f(task) || !task.cases.front().v0) {
+    return std::nullopt;
+  }
+  // Of springs too, of which the tightest rest is not known with a breakaway.
+  if (task.breakaway > 1 && task.cases.front().limits.residual > 0.0) {
     return std::nullopt;
   }
   const TaskAlongF known = posed(task);

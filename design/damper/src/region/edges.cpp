@@ -62,7 +62,7 @@ Edges edges(const Problem& problem, const Limits& limits) {
   const Wide speed = Wide(beta) * p;
   const double unit = speed > 1 ? 0x1p-64 : 0x1p64;  // the product is beyond a double without it
   Edges result{};
-  result.f1 = problem.beta * problem.p * problem.p;
+  result.f1 = problem.beta * problem.p * problem.p / problem.breakaway;
   result.f2 =
       is_same(v0, speed)
           ? 0

@@ -20,7 +20,8 @@ namespace {
 
 Wide widened_reach(const Way& way, double f) {
   const Wide phi = Wide(f) / way.problem.p;
-  return std::max(twice(phi), 3 * phi - Wide(way.problem.p) * residual_of(way.problem));
+  return std::max((1 + way.problem.breakaway) * phi,
+                  3 * phi - Wide(way.problem.p) * residual_of(way.problem));
 }
 
 /// As the edges of the way have it, to rounding.
@@ -57,8 +58,9 @@ Wide pass_speed(const Way& way, double f, double delta) {
   }
   if (way.stops_early()) {
     const double soft = way.problem.p;
-    const Wide at = r > 0 ? std::max(Wide(f), Wide(r) * soft * soft) : Wide(f);
-    const Wide spring = r > 0 ? std::min(Wide(p), root(at / r)) : Wide(p);
+    const double held = problem.breakaway;
+    const Wide at = r > 0 ? std::max(Wide(f), Wide(r) * soft * soft / held) : Wide(f);
+    const Wide spring = r > 0 ? std::min(Wide(p), root(held * at / r)) : Wide(p);
     const Wide phi = at / spring;
     least = std::min(least, speed(phi, c * phi + r * spring, way.n));
   }

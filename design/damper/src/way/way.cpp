@@ -22,8 +22,9 @@ double strip_tip(int n, double q, double v) {
   return tip >= q ? tip : v / std::sqrt(4.0 * n * n - 1);
 }
 
-/// The same with damping: what the strip needs grows with phi, and at v / sqrt(3) it is above v^2.
-double damped_tip(const Way& way) {
+/// The same with damping or breakaway: what the strip needs grows with phi, and at v / sqrt(3) it
+/// is above v^2.
+double general_tip(const Way& way) {
   const double square = way.v_low > 0 ? way.v_low * way.v_low : 1;
   const auto spare = [&](double a) { return square - reach_edge(way, a, 0).square; };
   constexpr double beyond = 1 + 1e-9;  // rounding, with hardly any damping
@@ -35,8 +36,9 @@ double tip_of(const Way& way, double f3) {
   if (way.n == 0) {
     return HUGE_VAL;
   }
-  if (way.problem.zeta.high > 0 && (way.n > 1 || way.q > 0)) {
-    return way.f_of(damped_tip(way));
+  const bool general = way.problem.zeta.high > 0 || way.problem.breakaway > 1;
+  if (general && (way.n > 1 || way.q > 0)) {
+    return way.f_of(general_tip(way));
   }
   return way.n == 1 && way.q == 0
              ? f3
@@ -61,7 +63,7 @@ double residual_of(const Problem& problem) {
 
 double largest_f_at_rest(const Problem& problem) {
   const double r = residual_of(problem);
-  const double below = rounded_down(Wide(r) * problem.p * problem.p);
+  const double below = rounded_down(Wide(r) * problem.p * problem.p / problem.breakaway);
   const bool all = below >= edges(problem, {}).f1 || least_f_at_peak(problem) <= below;
   return r > 0 && all ? below_dead_zone(problem) : below;
 }
@@ -102,12 +104,12 @@ Sides sides(const BoxShape& shape, double tolerance) {
 }
 
 unit::EdgeStart reach_start(const Way& way, double a) {
-  if (const double zeta = way.problem.zeta.high; zeta > 0) {
-    const double grown = unit::shrinks_by(zeta);
-    return a >= way.q ? unit::EdgeStart{2 * a + (a - way.q) * grown, 2 + grown, a, 1, zeta}
-                      : unit::EdgeStart{2 * a, 2, a, 1, zeta};
-  }
-  return a >= way.q ? unit::EdgeStart{3 * a - way.q, 3, a} : unit::EdgeStart{2 * a, 2, a};
+  const double zeta = way.problem.zeta.high;
+  const double grown = zeta > 0 ? unit::shrinks_by(zeta) : 1;
+  const double near = 2 * a + (a - way.q) * grown;
+  const double slides = 1 + way.problem.breakaway;
+  return near > slides * a ? unit::EdgeStart{near, 2 + grown, a, 1, zeta}
+                           : unit::EdgeStart{slides * a, slides, a, 1, zeta};
 }
 
 unit::EdgeStart last_start(const Way& way, double a) {
@@ -115,17 +117,19 @@ unit::EdgeStart last_start(const Way& way, double a) {
   return {c * a, c, a / way.p_ratio, 1 / way.p_ratio, way.problem.zeta.low};
 }
 
-/// Rests within r on the next half-cycle, (55), at the tightest point with phi >= q, (56).
+/// Rests within r on the next half-cycle, (55), at the tightest point whose dead zone is at least
+/// q, (56).
 unit::EdgeStart stop_start(const Way& way, double a) {
   const double c = stop_radius(way.problem);
   const double q = way.q;
-  const double at = std::max(a, q);
-  const double moves = a >= q ? 1 : 0;
-  if (const double k = way.p_ratio; at >= q * k * k) {
+  const double held = way.problem.breakaway;
+  const double at = std::max(a, q / held);
+  const double moves = held * a >= q ? 1 : 0;
+  if (const double k = way.p_ratio; held * at >= q * k * k) {
     return {c * at / k + q * k, moves * c / k, at / k, moves / k, way.problem.zeta.low};
   }
-  const double phi = std::sqrt(at * q);
-  return {(c + 1) * phi, moves * (c + 1) * phi / (2 * at), phi, moves * phi / (2 * at),
+  const double phi = std::sqrt(at * q / held);
+  return {(c + held) * phi, moves * (c + held) * phi / (2 * at), phi, moves * phi / (2 * at),
           way.problem.zeta.low};
 }
 

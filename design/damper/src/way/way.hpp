@@ -4,7 +4,8 @@
 // The ways to come to rest admissibly: docs/theory.md sections 7, 12 and 13.
 //
 //   way n >= 1  the n-th arrival at x = 0, or a rest within the residual beside its strip
-//   way 0       f <= residual p^2: every rest is within the residual; with more friction `at_peak`:
+//   way 0       breakaway f <= residual p^2: every rest is within the residual; with more friction
+//   `at_peak`:
 //               so is the first peak, where the mass stays
 //
 // In units of the strongest hit and the softest spring, as in unit_problem.hpp. The paper's task is
@@ -111,8 +112,8 @@ struct DecidingArrival {
 };
 [[nodiscard]] DecidingArrival deciding_arrival(const Problem& problem, double f, double delta);
 
-/// f <= r p^2, and below f1, where the dead zone begins to be wider than beta; up to f1 if with all
-/// that friction the first peak is within r.
+/// breakaway f <= r p^2, and below f1, where the dead zone begins to be wider than beta; up to f1
+/// if with all that friction the first peak is within r.
 [[nodiscard]] double largest_f_at_rest(const Problem& problem);
 /// The largest f of any way, whatever beta and the limits are.
 [[nodiscard]] double largest_f(const Problem& problem);
@@ -143,7 +144,8 @@ void for_each_way(const Problem& problem, const Limits& limits, const Visit& vis
     cancellation_point();
     const Way way(problem, limits, n);
     // The tip of a later strip is at a smaller f, and its tolerance smaller: (49), (51).
-    if (way.a_cap < way.a2 || way.a_cap <= 0 || (way.q > 0 && way.a_cap < way.q && n > 1) ||
+    if (way.a_cap < way.a2 || way.a_cap <= 0 ||
+        (way.q > 0 && way.a_cap * problem.breakaway < way.q && n > 1) ||
         (way.plain && limits.tolerance * (2 * n - 1) > 1 + rounding)) {
       break;
     }

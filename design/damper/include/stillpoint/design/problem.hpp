@@ -47,6 +47,8 @@ struct Problem {
   /// Of critical damping, anywhere in which it may be; below 1, and by the exact criterion. Search,
   /// strips, mends and works_for take it, to rounding and not to the last bit; nothing else does.
   Interval zeta{};
+  /// As that of Oscillator, at most 2 (docs/damping.md section 6); taken by what takes zeta.
+  double breakaway{1};
 
   /// The weakest hit that must move the mass.
   [[nodiscard]] double starting_v0() const { return v0_low.value_or(0) > 0 ? *v0_low : v0; }
