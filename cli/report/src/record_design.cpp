@@ -207,24 +207,29 @@ void add_motions(Document& document, const design::RecordDesign& result, const P
       .detail = !alone;
 }
 
+/// A mend of its length is one of a task with that pulse alone.
+const std::optional<design::Pulse>& pulse_of(const design::RecordDesign& result) {
+  return result.request.cases.front().pulse;
+}
+
 std::string no_damper(const design::RecordDesign& result, const Physical& physical) {
   const auto& largest = result.largest_tolerance;
+  const auto way_out = [&] { return one_way_out(result.mends, physical, {}, pulse_of(result)); };
   return result.search.interrupted ? "No damper was verified before the search was interrupted."
          : !result.nearest.figures.empty() && !settled(result.nearest.figures)
              ? "No damper was found: none of those tried comes to rest."
          : !result.constraints.empty() &&
                  std::ranges::all_of(result.constraints, &design::Constraint::satisfied)
-             ? "No damper was found that meets the limits by more than rounding." +
-                   one_way_out(result.mends, physical)
+             ? "No damper was found that meets the limits by more than rounding." + way_out()
              : format("No damper was found that meets the limits{}{}.{}{}",
                       result.request.tolerance.exact() ? "" : " within its tolerance",
                       result.mends.empty() && !largest && !result.constraints.empty()
-                          ? ", even with any one of them relaxed"
+                          ? ", nor with any one of them relaxed"
                           : "",
                       largest ? format(" The largest tolerance within the limits is {:.2g} %.",
                                        100 * *largest)
                               : "",
-                      one_way_out(result.mends, physical));
+                      way_out());
 }
 
 /// Without the end of what is looked at.
@@ -359,7 +364,7 @@ Document document(const RecordDesignReport& report) {
     document.answer.row("nearest", format("{}, with {}", exact_words(physical, damper, {}),
                                           spring_words(physical, damper.p)));
     if (!result.mends.empty()) {
-      add_mends(document, result.mends, physical);
+      add_mends(document, result.mends, physical, {}, pulse_of(result));
     }
   }
   if (!result.parts.empty()) {

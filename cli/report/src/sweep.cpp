@@ -51,7 +51,10 @@ Document document(const SweepReport& report) {
   const auto& [spec, summary, map, record] = report;
   Document document = document_of("Sweep", summary.state, spec.kind == sweep::SweepKind::design);
   if (record) {
-    document.answer.row("record", spelled_out(*record));
+    // Several are a column of the rows.
+    const auto more = std::ranges::count(*record, '\n');
+    document.answer.row(more > 0 ? "records" : "record",
+                        more > 0 ? format("{} files", more + 1) : spelled_out(*record));
   }
   if (summary.resumed_at > 0) {
     document.answer.row("resumed at", fmt::format("{} rows", summary.resumed_at));

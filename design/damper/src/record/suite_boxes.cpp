@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <functional>
 #include <utility>
 
@@ -235,19 +236,50 @@ std::int64_t BoxMap::admissible(const SuiteGoal& goal) const {
   return count;
 }
 
+/// How many steps a box is from another rank, of all axes together: up to a few on each.
+std::size_t BoxMap::depth(const std::vector<SuiteRank>& ranks, std::size_t box) const {
+  constexpr std::size_t most = 2;
+  std::size_t all = 0;
+  std::size_t stride = 1;
+  for (std::size_t i = space_.size(); i > 0; --i) {
+    const auto boxes = static_cast<std::size_t>(grid_.at(i - 1).boxes());
+    const std::size_t at = box / stride % boxes;
+    for (std::size_t k = 1; k <= most; ++k) {
+      const bool same = k <= at && at + k < boxes && ranks[box - k * stride] == ranks[box] &&
+                        ranks[box + k * stride] == ranks[box];
+      if (!same) {
+        break;
+      }
+      ++all;
+    }
+    stride *= boxes;
+  }
+  return all;
+}
+
 std::vector<BoxedDamper> BoxMap::best(const SuiteGoal& goal, std::size_t most, double part) const {
-  using Ranked = std::pair<SuiteRank, std::size_t>;
+  struct Ranked {
+    SuiteRank rank;
+    std::size_t shallow;  // of equal ones the deepest: at its rim a plateau is not sure
+    std::size_t box;
+    auto operator<=>(const Ranked&) const = default;
+  };
+  std::vector<SuiteRank> ranks;
+  ranks.reserve(worst_.size());
+  for (std::size_t box = 0; box < worst_.size(); ++box) {
+    ranks.push_back(rank(worst_[box], goal));
+  }
   std::vector<Ranked> left;  // a heap, for few of them are looked at
   left.reserve(worst_.size());
   for (std::size_t box = 0; box < worst_.size(); ++box) {
-    left.emplace_back(rank(worst_[box], goal), box);
+    left.push_back({ranks[box], 2 * most_axes - depth(ranks, box), box});
   }
   std::ranges::make_heap(left, std::greater());
   std::vector<BoxedDamper> list;
   std::vector<SuitePlace> places;
   for (; !left.empty() && list.size() < most; left.pop_back()) {
     std::ranges::pop_heap(left, std::greater());
-    const auto& [of_box, box] = left.back();
+    const auto& [of_box, shallow, box] = left.back();
     const SuitePlace here = logs(box);
     if (space_.includes(here) && std::ranges::none_of(places, [&](const SuitePlace& other) {
           return are_near(here, other, grid_, part);

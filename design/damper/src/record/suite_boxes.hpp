@@ -97,6 +97,7 @@ class BoxMap {
 
  private:
   [[nodiscard]] SuitePlace logs(std::size_t box) const;
+  [[nodiscard]] std::size_t depth(const std::vector<SuiteRank>& ranks, std::size_t box) const;
 
   const SuiteSpace& space_;
   SuiteGrid grid_;

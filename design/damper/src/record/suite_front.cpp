@@ -37,10 +37,10 @@ void find_front(const Suites& suite, RecordDesign& result, SuiteMaps& maps, Suit
     for (SuiteLimits& limits : goal.limits) {
       limits.peak = std::min(limits.peak.value_or(HUGE_VAL), stroke);
     }
-    return maps.least(goal, true);
+    return maps.least(goal);
   };
   const auto end = gentlest(HUGE_VAL);
-  const auto begin = maps.least({&SuiteFigures::peak, {}, limits_of(task)}, true);
+  const auto begin = maps.least({&SuiteFigures::peak, {}, limits_of(task)});
   if (!begin || !end) {
     return;
   }

@@ -4,7 +4,9 @@
 #include "record/suite_request.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace stillpoint::design {
@@ -130,7 +132,7 @@ class SuiteHelp {
         *limit *= any;
       }
     }
-    const std::optional<VerifiedBox> found = maps_.least(goal, true);
+    const std::optional<VerifiedBox> found = maps_.least(goal);
     return found && !watch_.stopped() ? 1 / (any * found->box.rank.value * (1 + relaxed_by)) : 0;
   }
 
@@ -139,10 +141,8 @@ class SuiteHelp {
   std::optional<double> relaxed(std::size_t in_case, const SuiteFigureKind& kind) {
     SuiteGoal goal{kind.value, in_case, limits_of(task_)};
     goal.limits[in_case].*kind.limit = std::nullopt;
-    std::optional<VerifiedBox> found = maps_.least(goal);
-    if (found && kind.limit == &SuiteLimits::residual) {
-      found = clamps(found->box.damper) ? std::nullopt : unless_held(*found, in_case, goal);
-    }
+    const bool rests = kind.limit == &SuiteLimits::residual;
+    const auto found = rests ? least_of_resting(in_case, goal) : maps_.least(goal);
     if (!found || watch_.stopped()) {
       return std::nullopt;
     }
@@ -150,35 +150,34 @@ class SuiteHelp {
     const double value = worst.*kind.value;
     constexpr double measured = 1e-4;  // of the stroke: less is no residual that anybody allows
     return kind.limit == &SuiteLimits::passages ? value + 1  // the last arrival rests
-           : kind.limit == &SuiteLimits::residual
-               ? std::max(value * (1 + relaxed_by), measured * worst.peak)
-               : value * (1 + relaxed_by);
+           : rests ? std::max(value * (1 + relaxed_by), measured * worst.peak)
+                   : value * (1 + relaxed_by);
   }
 
-  /// Where the mass of a hit may rest off centre, friction must not hold it beyond its stroke: what
-  /// was found, or looked for again if that does.
-  std::optional<VerifiedBox> unless_held(const VerifiedBox& found, std::size_t in_case,
-                                         const SuiteGoal& goal) {
-    RecordDesign resting;
-    resting.request = task_;
-    SuiteLimits& limits = resting.request.cases[in_case].limits;
+  /// Where the mass may rest off centre more friction is of use, and of a hit less than holds it
+  /// beyond its stroke.
+  std::optional<VerifiedBox> least_of_resting(std::size_t in_case, const SuiteGoal& goal) {
+    RecordDesignRequest resting = task_;
+    SuiteLimits& limits = resting.cases[in_case].limits;
     limits.residual = limits.peak;
-    const SuiteDamper& damper = found.box.damper;
-    if (damper.f * (1 + task_.tolerance.f.above) <=
-        most_in_dead_zone(resting.request, softest(task_, damper.p))) {
-      return found;
+    if (searches_all(task_)) {
+      resting.f = resting.delta = std::nullopt;
     }
-    SuiteMaps maps(suite_, resting.request, watch_);
+    resting = completed(std::move(resting));
+    resting.f->high = std::min(resting.f->high, most_moving());
+    SuiteMaps maps(suite_, resting, watch_);
     maps.add_missing();
-    return maps.least(goal, true);
+    return maps.least(goal);
   }
 
-  /// Whether friction alone holds almost all of every load.
-  [[nodiscard]] bool clamps(const SuiteDamper& damper) const {
+  /// The largest f of a damper of which none holds almost all of every load; of hits any.
+  [[nodiscard]] double most_moving() const {
     constexpr double almost = 0.95;
-    return std::ranges::all_of(task_.cases, [&](const LoadCase& each) {
-      return !each.v0 && damper.f * task_.breakaway >= almost * peak_load(each, damper.p);
-    });
+    double most = 0;
+    for (const LoadCase& each : task_.cases) {
+      most = std::max(most, each.v0 ? HUGE_VAL : almost * peak_load(each, task_.p.low));
+    }
+    return most / task_.breakaway / (1 + task_.tolerance.f.above);
   }
 
   const Suites& suite_;

@@ -63,7 +63,7 @@ bool SuiteMaps::are_hopeless(const SuiteGoal& goal) const {
 }
 
 /// Each is to be better than those before, so the last is verified first.
-std::optional<VerifiedBox> SuiteMaps::least(const SuiteGoal& goal, bool anew) {
+std::optional<VerifiedBox> SuiteMaps::least(const SuiteGoal& goal) {
   struct Likely {
     SuiteSearch search;
     std::vector<BoxedDamper> dampers;
@@ -73,11 +73,12 @@ std::optional<VerifiedBox> SuiteMaps::least(const SuiteGoal& goal, bool anew) {
   for (MappedSpace& here : all_) {
     const bool brief = here.space.searched() > 2;
     Likely now{{suite_, task_, here.space, goal, watch_, brief}, {}};
-    if (!anew && here.nearest && admissible(here.nearest->worst, goal.limits)) {
-      now.dampers = {{here.nearest->damper, here.nearest->worst, rank(here.nearest->worst, goal)}};
-    } else {
-      here.scan.look(goal, bar);
-      now.dampers = now.search.likeliest(here.scan.map(), here.scan.grid(), bar);
+    here.scan.look(goal, bar);
+    now.dampers = now.search.likeliest(here.scan.map(), here.scan.grid(), bar);
+    if (here.nearest && admissible(here.nearest->worst, goal.limits)) {
+      const auto& [damper, worst, of_task] = *here.nearest;
+      now.dampers.push_back({damper, worst, rank(worst, goal)});
+      std::ranges::stable_sort(now.dampers, {}, &BoxedDamper::rank);
     }
     if (!now.dampers.empty() && now.dampers.front().rank.off == 0) {
       bar = std::min(bar, now.dampers.front().rank.value);

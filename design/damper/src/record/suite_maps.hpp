@@ -50,9 +50,8 @@ class SuiteMaps {
   /// Whether no damper at all is near the limits.
   [[nodiscard]] bool are_hopeless(const SuiteGoal& goal) const;
 
-  /// The best of all frictions, looked for briefly; unless `anew` the nearest, where it violates no
-  /// limit of the goal.
-  [[nodiscard]] std::optional<VerifiedBox> least(const SuiteGoal& goal, bool anew = false);
+  /// The best of all frictions, looked for briefly.
+  [[nodiscard]] std::optional<VerifiedBox> least(const SuiteGoal& goal);
 
  private:
   const Suites& suite_;

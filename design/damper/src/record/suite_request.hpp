@@ -21,4 +21,7 @@ void bound_starts(RecordDesignRequest& request);
 /// A valid request with the ranges and the combination that it leaves open. Throws InputError.
 [[nodiscard]] RecordDesignRequest completed(RecordDesignRequest request);
 
+/// Whether what a completed one searches has no ends but those that the load and the limits set.
+[[nodiscard]] bool searches_all(const RecordDesignRequest& task);
+
 }  // namespace stillpoint::design

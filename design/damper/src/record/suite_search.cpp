@@ -348,8 +348,13 @@ std::vector<BoxedDamper> SuiteSearch::all_refined(const std::vector<BoxedDamper>
       ++admissible_ones;
     }
   }
-  list.resize(tried);
-  std::ranges::stable_sort(list, {}, &BoxedDamper::rank);
+  // The others follow as they are: samples may yet find that all that were polished fail.
+  const auto others = list.begin() + static_cast<std::ptrdiff_t>(tried);
+  list.erase(std::remove_if(others, list.end(),
+                            [&](const BoxedDamper& each) { return brief_ || each.rank.off > 0; }),
+             list.end());
+  std::stable_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(tried),
+                   [](const BoxedDamper& a, const BoxedDamper& b) { return a.rank < b.rank; });
   return list;
 }
 

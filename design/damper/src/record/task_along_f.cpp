@@ -30,14 +30,6 @@ constexpr std::array objectives{std::pair(SuiteObjective::robust, Objective::rob
 /// The limits of which a mend leaves a part.
 constexpr std::array<std::string_view, 3> shrunk{"beta", "acceleration_max", "residual"};
 
-/// Whether what is searched has no ends but those that the load and the limits set.
-bool searches_all(const RecordDesignRequest& task) {
-  RecordDesignRequest open = task;
-  open.f = open.delta = std::nullopt;
-  open = completed(std::move(open));
-  return open.f == task.f && open.delta == task.delta && task.f->high > 0 && task.delta->high > 0;
-}
-
 /// Of a pulse the first return alone. Of a hit also later arrivals, and rests off centre where the
 /// spring does not vary; the time to rest has no closed bound with damping.
 bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
