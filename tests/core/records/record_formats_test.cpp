@@ -90,13 +90,13 @@ BOOST_AUTO_TEST_CASE(channels_are_told_by_number) {
 
 /// A .V2c that gives `ms` for the step of its values and `s` for that of the recorder.
 std::string cosmos_with_steps(const std::string& ms, const std::string& s) {
-  return replaced(replaced(text_of("V2c"), "    20.000000", ms), "     0.010000", s);
+  return replaced(replaced(sample_text("V2c"), "    20.000000", ms), "     0.010000", s);
 }
 
 /// As exact as the sample that they are made of.
 BOOST_AUTO_TEST_CASE(other_forms_are_read) {
   for (const Row& row : rows_of("formats_right.txt")) {
-    const std::string text = replaced(text_of(row.name), row.old, row.now);
+    const std::string text = replaced(sample_text(row.name), row.old, row.now);
     const auto sample = std::ranges::find_if(
         samples, [&](const Sample& now) { return std::string(now.name).starts_with(row.name); });
     const double tolerance = sample->tolerance * std::max(1.0, row.options.scale);
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(step_of_cosmos_is_that_of_the_values) {
 }
 
 BOOST_AUTO_TEST_CASE(units_that_csmip_leaves_out_are_those_of_the_option) {
-  const std::string text = replaced(text_of("V2"), ", in cm/sec2.", ".");
+  const std::string text = replaced(sample_text("V2"), ", in cm/sec2.", ".");
   const RecordOptions given{.units = RecordUnits::cm_per_s2, .channel = 1};
   check_pulse(records::parse_record(text, "a", given), 1, 1e-5);
 }
@@ -182,11 +182,11 @@ BOOST_AUTO_TEST_CASE(layouts_of_published_files_are_read) {
 }
 
 BOOST_AUTO_TEST_CASE(fields_without_a_format_part_at_a_sign) {
-  const std::string two = replaced(text_of("V2c"), "-85.765-101.656-115.076-125.000",
+  const std::string two = replaced(sample_text("V2c"), "-85.765-101.656-115.076-125.000",
                                    "-85.765 -101.656-115.076-125.000");
   const std::string words = replaced(two, ",Format=(10F8.3)", "");
   BOOST_TEST(records::parse_record(words, "record").record.values ==
-                 records::parse_record(text_of("V2c"), "record").record.values,
+                 records::parse_record(sample_text("V2c"), "record").record.values,
              tt::per_element());
   // With a width the blank moves the fields behind it.
   check_says(refusal_of<FileError>([&] { return records::parse_record(two, "record"); }),
@@ -199,7 +199,8 @@ BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
   constexpr std::size_t count = 400'000;
   const std::string length = "     2.000000";
   const std::string unknown = "  -999.000000";
-  const std::string sample = replaced(replaced(text_of("V2c"), length, unknown), length, unknown);
+  const std::string sample =
+      replaced(replaced(sample_text("V2c"), length, unknown), length, unknown);
   std::string text = sample.substr(0, sample.find("     100 acceleration pts")) +
                      std::to_string(count) + " acceleration pts, units=g (02)\n";
   for (std::size_t i = 0; i < count; ++i) {
@@ -212,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_long_line_of_values_that_touch_is_read_once) {
 
 /// 50 Hz for this many seconds.
 std::string knet_heading(const std::string& duration) {
-  const std::string text = text_of("EW");
+  const std::string text = sample_text("EW");
   return replaced(text.substr(0, text.find("    8000     8073")), "Time(s)  2",
                   "Time(s)  " + duration);
 }

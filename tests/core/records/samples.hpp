@@ -10,7 +10,7 @@ inline std::string path_of(const std::string& name) {
   return std::string(STILLPOINT_DATA_DIR "/records/short_pulse.") + name;
 }
 
-inline const std::string& text_of(const std::string& name) {
+inline const std::string& sample_text(const std::string& name) {
   static std::map<std::string, std::string> texts;
   std::string& text = texts[name];
   if (text.empty()) {

@@ -14,7 +14,7 @@ const std::vector<std::string> samples{"ASC", "EW",       "V2",      "V2c", "smc
 BOOST_AUTO_TEST_CASE(wrong_files_are_refused) {
   for (const Row& row : rows_of("formats_wrong.txt")) {
     BOOST_TEST_CONTEXT(row.name << ": '" << row.old << "' as '" << row.now << "'") {
-      const std::string sample = text_of(row.name);
+      const std::string sample = sample_text(row.name);
       RecordOptions options = row.options;
       options.channel = options.channel.value_or(1);
       const std::string message = refusal_of<FileError>([&] {
@@ -83,7 +83,7 @@ std::string essence(const std::string& sample) {
   constexpr int reals = 11;  // lines of unknown numbers down to the one with the step
   std::string text;
   int unknown = 0;
-  std::istringstream lines(text_of(sample));
+  std::istringstream lines(sample_text(sample));
   for (std::string line; text.size() < enough && std::getline(lines, line);) {
     const bool is_unread = line.ends_with(": ") || line.starts_with(" -999 -999") ||
                            line.starts_with("-999.00000") || line.starts_with("    -999    -999") ||
