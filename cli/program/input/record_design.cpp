@@ -167,11 +167,6 @@ void add_given(design::RecordDesignRequest& request, const Settings& settings,
       request.delta = Interval{*delta, *delta};
     }
     request.judges = !request.maps;
-    if (request.maps && request.cases.front().weakest == 0) {
-      throw InputError(settings.has("pulse") ? "k" : "v0", 0.0,
-                       "must be greater than 0 where the range begins, so that the weakest load "
-                       "moves the mass; or give f and delta of a damper to judge");
-    }
   }
 }
 

@@ -84,8 +84,7 @@ BOOST_AUTO_TEST_CASE(each_delta_that_is_told_is_feasible) {
     request.tolerance = {{}, {}, {}, {}};
     const FeasibleRegion region = design::design(request).region.value();
     for (const FeasibleDelta& each : region.deltas) {
-      const bool grazes = each.f == region.f.back().high;  // at the end of a strip
-      if (!grazes) {
+      if (each.f < region.f.back().high) {  // where a strip ends motions graze
         const double delta = std::lerp(each.delta.low, each.delta.high, random.uniform(0.01, 0.99));
         BOOST_TEST(serves(task, each.f, delta), "task " << i << ", f " << each.f << ", " << delta);
         ++seen;

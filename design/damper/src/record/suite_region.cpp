@@ -6,6 +6,8 @@
 #include "record/suite_space.hpp"
 #include "record/task_along_f.hpp"
 
+#include <stillpoint/core/input_error.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -158,6 +160,11 @@ class FeasibleDampers {
 }  // namespace
 
 FeasibleRegion feasible_region(const Suites& suites, const RecordDesignRequest& task) {
+  if (const LoadCase& only = task.cases.front(); only.weakest == 0) {
+    throw InputError(only.pulse ? "k" : "v0", 0.0,
+                     "must be greater than 0 where the range begins, so that the weakest load "
+                     "moves the mass; or give f and delta of a damper to judge");
+  }
   return FeasibleDampers(suites, task).found();
 }
 
