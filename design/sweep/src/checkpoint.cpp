@@ -238,8 +238,9 @@ Checkpoint read_seal(const std::string& path) {
     }
     return checkpoint;
   } catch (const std::exception&) {
-    throw records::FileError(
-        place, "is not a complete part of a sweep: it is another kind of file, or was cut short");
+    throw records::FileError(place,
+                             "is not a complete part of a sweep: it is another kind of file or of "
+                             "another version, or was cut short");
   }
 }
 

@@ -148,9 +148,13 @@ class SuiteHelp {
     }
     const SuiteFigures& worst = found->box.worst[in_case];
     const double value = worst.*kind.value;
+    const SuiteLimits& limits = task_.cases[in_case].limits;
     constexpr double measured = 1e-4;  // of the stroke: less is no residual that anybody allows
+    if (rests && !(value > *limits.residual)) {
+      return std::nullopt;  // it is something else that was not found
+    }
     return kind.limit == &SuiteLimits::passages ? value + 1  // the last arrival rests
-           : rests ? std::max(value * (1 + relaxed_by), measured * worst.peak)
+           : rests ? std::max(value * (1 + relaxed_by), measured * limits.peak.value_or(worst.peak))
                    : value * (1 + relaxed_by);
   }
 
@@ -160,24 +164,30 @@ class SuiteHelp {
     RecordDesignRequest resting = task_;
     SuiteLimits& limits = resting.cases[in_case].limits;
     limits.residual = limits.peak;
-    if (searches_all(task_)) {
-      resting.f = resting.delta = std::nullopt;
+    RecordDesignRequest open = task_;
+    open.f = open.delta = std::nullopt;
+    open = completed(std::move(open));
+    if (open.f == task_.f) {
+      resting.f = std::nullopt;
+    }
+    if (open.delta == task_.delta) {
+      resting.delta = std::nullopt;
     }
     resting = completed(std::move(resting));
-    resting.f->high = std::min(resting.f->high, most_moving());
+    if (const double moving = most_moving(task_.cases[in_case]); moving >= resting.f->low) {
+      resting.f->high = std::min(resting.f->high, moving);
+    }
     SuiteMaps maps(suite_, resting, watch_);
     maps.add_missing();
     return maps.least(goal);
   }
 
-  /// The largest f of a damper of which none holds almost all of every load; of hits any.
-  [[nodiscard]] double most_moving() const {
+  /// The largest f of a damper of which none holds almost all of that load; of a hit any.
+  [[nodiscard]] double most_moving(const LoadCase& load) const {
     constexpr double almost = 0.95;
-    double most = 0;
-    for (const LoadCase& each : task_.cases) {
-      most = std::max(most, each.v0 ? HUGE_VAL : almost * peak_load(each, task_.p.low));
-    }
-    return most / task_.breakaway / (1 + task_.tolerance.f.above);
+    return load.v0 ? HUGE_VAL
+                   : almost * peak_load(load, task_.p.low) / task_.breakaway /
+                         (1 + task_.tolerance.f.above);
   }
 
   const Suites& suite_;

@@ -80,8 +80,10 @@ std::optional<VerifiedBox> SuiteMaps::least(const SuiteGoal& goal) {
       now.dampers.push_back({damper, worst, rank(worst, goal)});
       std::ranges::stable_sort(now.dampers, {}, &BoxedDamper::rank);
     }
-    if (!now.dampers.empty() && now.dampers.front().rank.off == 0) {
-      bar = std::min(bar, now.dampers.front().rank.value);
+    const auto first =
+        std::ranges::find(now.dampers, 0.0, [](const BoxedDamper& each) { return each.rank.off; });
+    if (first != now.dampers.end()) {
+      bar = std::min(bar, first->rank.value);
       all.push_front(std::move(now));
     }
   }

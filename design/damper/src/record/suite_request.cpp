@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 
 namespace stillpoint::design {
 
@@ -106,8 +107,8 @@ double farthest_turn(const LoadCase& load_case, double p) {
 }
 
 /// The largest friction that may be of use: under more a load moves nothing, or a hit moves the
-/// mass by less than half of its limit; nor does the mass come back where it must, after a pulse
-/// with more than the spring's force.
+/// mass by less than half of its limit; nor does the mass come back where it must, after a pulse to
+/// one side with more than the spring's force.
 double most_friction(const RecordDesignRequest& request) {
   const double p = request.p.high;
   double most = 0;
@@ -120,7 +121,8 @@ double most_friction(const RecordDesignRequest& request) {
     most = std::max(most, now);
     if (const double turn = farthest_turn(each, p); turn > 0) {
       comes_back = std::min(comes_back, p * p * turn / 2);
-    } else if (each.pulse && each.limits.residual == 0.0) {
+    } else if (each.pulse && each.limits.residual == 0.0 &&
+               !std::holds_alternative<FullSine>(*each.pulse)) {
       comes_back = std::min(comes_back, p * p * free_peak(each, request));
     }
   }

@@ -68,7 +68,9 @@ void by_promise(std::vector<BoxedDamper>& list) {
 
 double merit(const BoxedDamper& box) {
   constexpr double price = 2;
-  return settled(box.worst) ? box.rank.value * (1 + price * box.rank.off) : HUGE_VAL;
+  constexpr double least = 1e-3;  // of the stroke: of a residual of 0 what is off counts too
+  const auto& [off, value, peak] = box.rank;
+  return settled(box.worst) ? (value > 0 ? value : least * peak) * (1 + price * off) : HUGE_VAL;
 }
 
 SuiteSearch::SuiteSearch(const Suites& suite, const RecordDesignRequest& task,

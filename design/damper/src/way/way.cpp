@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace stillpoint::design {
 
@@ -150,11 +149,13 @@ unit::EdgeSpeed returning_notch(const Way& way, double a) {
 }
 
 double least_beta(const Way& way) {
-  constexpr double narrowest = 1 / std::numbers::sqrt3;  // peak and dead zone are this wide, (70)
+  const double held = way.problem.breakaway;
+  // The peak and the dead zone are equally wide there, (70).
+  const double narrowest = 1 / std::sqrt((held + 1) * (held + 1) - 1);
   Problem wide = way.problem;
   wide.beta = std::max(wide.beta, wide.v0 / wide.p);
   const double a = way.at_peak ? way.a2 : std::min(Way(wide, {}, way.n).a_cap, narrowest);
-  return std::max(unit::peak(a), a) * way.problem.v0 / way.problem.p;
+  return std::max(unit::peak(a), held * a) * way.problem.v0 / way.problem.p;
 }
 
 double largest_f(const Problem& problem) {
