@@ -26,8 +26,8 @@ namespace stillpoint::sweep {
 /// program or the machine ends, the sweep can be resumed.
 class PartFile : public RowSink {
  public:
-  /// Of a sweep that begins, ready for the rows that are still to come; throws as open_rows does. To
-  /// resume where nothing is left is to begin.
+  /// Of a sweep that begins, ready for the rows that are still to come; throws as open_rows does.
+  /// To resume where nothing is left is to begin.
   PartFile(Checkpoint sweep, bool resume);
 
   void write(std::string_view bytes) override;
