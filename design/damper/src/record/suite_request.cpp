@@ -108,7 +108,7 @@ double farthest_turn(const LoadCase& load_case, double p) {
 
 /// The largest friction that may be of use: under more a load moves nothing, or a hit moves the
 /// mass by less than half of its limit; nor does the mass come back where it must, after a pulse to
-/// one side with more than the spring's force.
+/// one side with more than the spring's force. A full sine pushes it back as well.
 double most_friction(const RecordDesignRequest& request) {
   const double p = request.p.high;
   double most = 0;
@@ -121,9 +121,10 @@ double most_friction(const RecordDesignRequest& request) {
     most = std::max(most, now);
     if (const double turn = farthest_turn(each, p); turn > 0) {
       comes_back = std::min(comes_back, p * p * turn / 2);
-    } else if (each.pulse && each.limits.residual == 0.0 &&
-               !std::holds_alternative<FullSine>(*each.pulse)) {
-      comes_back = std::min(comes_back, p * p * free_peak(each, request));
+    } else if (each.pulse && each.limits.residual == 0.0) {
+      constexpr double pushed = 16;  // so much more is searched of a full sine
+      const double part = std::holds_alternative<FullSine>(*each.pulse) ? pushed : 1;
+      comes_back = std::min(comes_back, part * p * p * free_peak(each, request));
     }
   }
   return std::min(most, comes_back);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace stillpoint::sweep {
 
@@ -24,7 +25,7 @@ struct LeftRows {
 class RowSink {
  public:
   RowSink() = default;
-  explicit RowSink(const SweepState& found) : found_(found) {}
+  explicit RowSink(SweepState found) : found_(std::move(found)) {}
   RowSink(const RowSink&) = delete;
   RowSink& operator=(const RowSink&) = delete;
   virtual ~RowSink() = default;
