@@ -255,9 +255,9 @@ class DampedPiece {
   /// What is near a point in time.
   class Vicinity {
    public:
-    Vicinity(const Point& at, const Real& jerk, const Real& zeta)
+    Vicinity(const Point& at, Real jerk, const Real& zeta)
         : at_(at),
-          d2_(jerk),
+          d2_(std::move(jerk)),
           d3_(-(at.a + 2 * zeta * d2_)),
           d4_(-(d2_ + 2 * zeta * d3_)),
           d5_(-(d3_ + 2 * zeta * d4_)) {}

@@ -159,8 +159,8 @@ BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_lowest_k_of_full_sines) {
 BOOST_AUTO_TEST_CASE(no_feasible_f_is_above_the_largest_that_returns) {
   struct Row {
     FullSine most;
-    double p;
-    double k_low;
+    double p{};
+    double k_low{};
     std::optional<double> f_max{};
   };
   for (const auto& [most, p, k_low, f_max] :

@@ -126,8 +126,8 @@ inline Scanned worst(const design::PulseRequest& request, double f) {
   const bool is_ranged = request.problem.ranges.k_low.has_value();
   Scanned worst{.f = f, .holds = true};
   for (int i = 0; i < (is_ranged ? 45 : 1) && worst.holds; ++i) {
-    Scanned now =
-        scanned(request, at_parts(request.problem, i % 3 / 2.0, i / 3 % 5 / 4.0, i / 15 / 2.0), f);
+    Scanned now = scanned(
+        request, at_parts(request.problem, i % 3 / 2.0, i / 3 % 5 / 4.0, i / 15 % 3 / 2.0), f);
     now.need = std::max(worst.need, now.need);
     worst = now;
   }
