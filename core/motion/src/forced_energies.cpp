@@ -160,7 +160,7 @@ class EnergyWatcher final : public Finder<MotionEnergies> {
     if constexpr (std::is_same_v<Motion, DampedPiece<double>>) {
       fastest_ = motion.largest_speed({PieceEvent::none, piece.length, to}, fastest_);
     } else {
-      const DampedPiece<double> same(from, motion.rate(), 0, DampedSwing<double>(0));
+      const DampedPiece<double> same(from, motion.rate(), 0, undamped_);
       fastest_ = same.largest_speed({PieceEvent::none, piece.length, to}, fastest_);
     }
     const double load = piece.direction * piece.load;
@@ -223,6 +223,7 @@ class EnergyWatcher final : public Finder<MotionEnergies> {
   bool free_to_end_;  ///< where the run ends the map goes on
   double limit_;
   double zeta_;
+  DampedSwing<double> undamped_{0};
   double start_;
   double delta_;  ///< of a notch without width
   double fastest_;

@@ -124,7 +124,7 @@ class DampedSwing {
 
   Real zeta_;
   Real omega_;
-  std::array<Real, 11> falls_;  ///< t_n / h^n
+  std::array<Real, std::is_same_v<Real, double> ? 11 : 2> falls_;  ///< t_n / h^n
 };
 
 }  // namespace stillpoint

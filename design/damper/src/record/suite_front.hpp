@@ -12,7 +12,7 @@ namespace stillpoint::design {
 /// asked for.
 void find_front(const Suites& suite, RecordDesign& result, SuiteMaps& maps, SuiteWatch& watch);
 
-/// The task of the result with dampers that are exact.
+/// A result to be, of that task with dampers that are exact.
 [[nodiscard]] RecordDesign without_errors(const RecordDesignRequest& task);
 
 }  // namespace stillpoint::design

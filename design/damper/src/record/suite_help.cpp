@@ -164,9 +164,7 @@ class SuiteHelp {
     RecordDesignRequest resting = task_;
     SuiteLimits& limits = resting.cases[in_case].limits;
     limits.residual = limits.peak;
-    RecordDesignRequest open = task_;
-    open.f = open.delta = std::nullopt;
-    open = completed(std::move(open));
+    const RecordDesignRequest open = with_open_friction(task_);
     if (open.f == task_.f) {
       resting.f = std::nullopt;
     }

@@ -6,18 +6,7 @@
 
 #include <stillpoint/design/record_design_result.hpp>
 
-#include <optional>
-
 namespace stillpoint::design {
-
-/// A task along f, where it is one, and its best damper there.
-struct AlongF {
-  explicit AlongF(const RecordDesignRequest& request)
-      : task(TaskAlongF::of(request)), best(task ? task->best() : std::nullopt) {}
-
-  std::optional<TaskAlongF> task;
-  std::optional<DamperAlongF> best;
-};
 
 /// Of a task without a damper, into its result: the box on the maps that violates the limits least,
 /// and each change that would do.

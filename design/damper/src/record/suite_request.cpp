@@ -339,11 +339,9 @@ RecordDesignRequest completed(RecordDesignRequest request) {
   return request;
 }
 
-bool searches_all(const RecordDesignRequest& task) {
-  RecordDesignRequest open = task;
-  open.f = open.delta = std::nullopt;
-  open = completed(std::move(open));
-  return open.f == task.f && open.delta == task.delta && task.f->high > 0 && task.delta->high > 0;
+RecordDesignRequest with_open_friction(RecordDesignRequest task) {
+  task.f = task.delta = std::nullopt;
+  return completed(std::move(task));
 }
 
 }  // namespace stillpoint::design

@@ -21,7 +21,7 @@ void bound_starts(RecordDesignRequest& request);
 /// A valid request with the ranges and the combination that it leaves open. Throws InputError.
 [[nodiscard]] RecordDesignRequest completed(RecordDesignRequest request);
 
-/// Whether what a completed one searches has no ends but those that the load and the limits set.
-[[nodiscard]] bool searches_all(const RecordDesignRequest& task);
+/// The same without the ends of f and Delta that the load and the limits do not set.
+[[nodiscard]] RecordDesignRequest with_open_friction(RecordDesignRequest task);
 
 }  // namespace stillpoint::design

@@ -30,6 +30,12 @@ constexpr std::array objectives{std::pair(SuiteObjective::robust, Objective::rob
 /// The limits of which a mend leaves a part.
 constexpr std::array<std::string_view, 3> shrunk{"beta", "acceleration_max", "residual"};
 
+/// Whether what is searched has no ends but those that the load and the limits set.
+bool searches_all(const RecordDesignRequest& task) {
+  const RecordDesignRequest open = with_open_friction(task);
+  return open.f == task.f && open.delta == task.delta && task.f->high > 0 && task.delta->high > 0;
+}
+
 /// Of a pulse the first return alone. Of a hit also later arrivals, and rests off centre where the
 /// spring does not vary; the time to rest has no closed bound with damping.
 bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
@@ -41,7 +47,8 @@ bool is_known(const RecordDesignRequest& task, const LoadCase& only) {
                        task.zeta.low == task.zeta.high;
 }
 
-/// Up to twice f breakaway friction holds no mass that could have come back to x = 0: (D16).
+/// Up to twice f breakaway friction holds no mass that could have come back to x = 0, (D16); which
+/// rests off centre it decides, the edges know.
 bool slides_off(const RecordDesignRequest& task, const LoadCase& only) {
   constexpr double most = 2;
   return task.breakaway == 1 || (task.breakaway <= most && only.v0);

@@ -65,4 +65,13 @@ class TaskAlongF {
   double p_{1};
 };
 
+/// A task along f, where it is one, and its best damper there.
+struct AlongF {
+  explicit AlongF(const RecordDesignRequest& request)
+      : task(TaskAlongF::of(request)), best(task ? task->best() : std::nullopt) {}
+
+  std::optional<TaskAlongF> task;
+  std::optional<DamperAlongF> best;
+};
+
 }  // namespace stillpoint::design
